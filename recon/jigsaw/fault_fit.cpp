@@ -155,13 +155,12 @@ std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, const std
     const UnfoldedBlock& right = blocks[f.right];
     const double known = std::hypot(left.noise, right.noise, known_walls * size);
     const Distance apart = distance_of(f.walls, {left.datum, std::hypot(left.lean, right.lean) / known});
-    ties.push_back({f.left, f.right, apart.height / size, -apart.moment / apart.height});
+    ties.push_back({f.left, f.right, apart.height / size, -apart.moment / apart.height, f.fault});
   }
   return ties;
 }
 
-std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks,
-                             std::vector<std::size_t>& faults) {
+std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks) {
   std::vector<Tie> ties;
   for (std::size_t fault = 0; fault < setting.cutoffs.size(); ++fault) {
     for (const faults::CutoffPair& pair : setting.cutoffs[fault].pairs) {
@@ -171,8 +170,7 @@ std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<Unfo
       const auto hanging = end_of_top(setting, fault, side, blocks, *pair.hanging_wall);
       const auto foot = end_of_top(setting, fault, other, blocks, *pair.footwall);
       if (!hanging || !foot || hanging->first == foot->first) continue;
-      ties.push_back({hanging->first, foot->first, 1.0, hanging->second.x - foot->second.x});
-      faults.push_back(fault);
+      ties.push_back({hanging->first, foot->first, 1.0, hanging->second.x - foot->second.x, fault});
     }
   }
   return ties;
@@ -185,12 +183,16 @@ std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const st
     row.name = setting.faults[fault].name;
     if (const auto heave = heave_of_top(setting, fault)) row.shortening = 0.0 - *heave;
     std::vector<std::vector<geom::Point>> means;
+    double squared = 0.0, height = 0.0;
     for (const FacingWalls& f : facing) {
       if (f.fault != fault) continue;
       row.measured = true;
       row.opening += opening_of(f.walls);
+      squared += squared_distance_of(f.walls);
+      height += f.walls.height();
       means.push_back(mean_of(f.walls));
     }
+    if (row.measured) row.misfit = std::sqrt(squared / height);
     std::stable_sort(means.begin(), means.end(),
                      [](const auto& a, const auto& b) { return a.front().y < b.front().y; });
     for (std::vector<geom::Point>& mean : means) join_up(std::move(mean), row.line.points);

@@ -118,6 +118,15 @@ Distance distance_of(const WallPair& pair, const Trust& trust) {
   return sum;
 }
 
+double squared_distance_of(const WallPair& pair) {
+  double sum = 0.0;
+  for (const WallPiece& p : pair.pieces) {
+    const double low = p.right_low - p.left_low, high = p.right_high - p.left_high;
+    sum += (p.high - p.low) * (low * low + low * high + high * high) / 3.0;
+  }
+  return sum;
+}
+
 WallPair pair_of(const Branch& left, const Branch& right) {
   WallPair pair;
   pair.sign = left.climbs ? 1.0 : -1.0;

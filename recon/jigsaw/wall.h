@@ -48,6 +48,8 @@ struct Distance {
   double height = 0.0, moment = 0.0;
 };
 Distance distance_of(const WallPair& pair, const Trust& trust);
+/// Integral over z of the squared distance of the walls, m3.
+double squared_distance_of(const WallPair& pair);
 
 /// @pre both climb, or neither.
 WallPair pair_of(const Branch& left, const Branch& right);

@@ -307,6 +307,76 @@ TEST(Jigsaw, RoughPicksHardlyChangeTheShiftsOfTheWalls) {
   EXPECT_GT(worst, 0.01);
 }
 
+TEST(Jigsaw, ErrorsOfShiftsAreOfTheSizeOfWhatNoiseDoesToThem) {
+  const double heave = along(east, 250).x;
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  for (const Fit fit : {Fit::Walls, Fit::Top}) {
+    double true_errors = 0.0, told_errors = 0.0;
+    for (int draw = 0; draw < 20; ++draw) {
+      const geom::Vector slip = along(east, 250);
+      Section section = stack({east, west}, {by(0, 0), by(slip.x, slip.y), by(2 * slip.x, 0)}, true, 41);
+      for (section::Horizon& horizon : section.horizons) {
+        for (geom::Point& p : horizon.line.points) p.y += noise(random);
+      }
+      const Blockwise made = restored(section, jigsaw_by(fit));
+      EXPECT_EQ(made.rows[0].shift_error, 0.0);
+      for (const int block : {1, 2}) {
+        const BlockRow& row = made.rows[static_cast<std::size_t>(block)];
+        true_errors += std::pow(*row.shift + block * heave, 2);
+        told_errors += std::pow(row.shift_error.value(), 2);
+      }
+      for (const RestoredFault& fault : made.faults) EXPECT_GT(fault.misfit.value(), 0.0);
+    }
+    const double ratio = std::sqrt(told_errors / true_errors);
+    EXPECT_GT(ratio, 0.5) << static_cast<int>(fit);
+    EXPECT_LT(ratio, 20.0) << static_cast<int>(fit) << std::sqrt(told_errors / 40) << ' '
+                           << std::sqrt(true_errors / 40);
+  }
+}
+
+TEST(Jigsaw, ErrorsOfShiftsAddUpFromFaultToFault) {
+  // Blocks 2 and 3 are turned a little, so that their beds step along both faults by amounts that grow downwards.
+  const geom::Vector slip = along(east, 250);
+  const auto lean = [](double per_metre, geom::Vector by) {
+    return Motion([=](geom::Point p) { return geom::Point{p.x + by.x - per_metre * p.y, p.y + by.y}; });
+  };
+  const Section section = stack({east, west}, {by(0, 0), lean(0.01, slip), lean(0.03, {2 * slip.x, 0})}, true);
+  const Blockwise made = restored(section, jigsaw_by(Fit::Top));
+  // A, B, C and D miss each other by 0, 3, 6, 9 m at the first fault and 0, 6, 12, 18 m at the second.
+  const double first = std::sqrt((9.0 + 36.0 + 81.0) / 3.0), second = 2.0 * first;
+  EXPECT_NEAR(made.faults[0].slide_error.value(), first, 0.02 * first);
+  EXPECT_NEAR(made.faults[1].slide_error.value(), second, 0.02 * second);
+  EXPECT_NEAR(made.rows[1].shift_error.value(), first, 0.02 * first);
+  EXPECT_NEAR(made.rows[2].shift_error.value(), std::hypot(first, second), 0.02 * second);
+}
+
+TEST(Jigsaw, ASlipOfThePenInTheMiddleOfATopTiltsNoBlockAndIsToldWhereThePinIsPutOnIt) {
+  const geom::Vector slip = along(east, 250);
+  // Steep little stretches in the middle of the top of the second block, down, up, and one that leans back.
+  for (const geom::Vector off : {geom::Vector{7, -4}, {7, 5}, {2, 9}}) {
+    Section section = stack({east, west}, {by(0, 0), by(slip.x, slip.y), by(2 * slip.x, 0)}, true, 41);
+    const auto top = std::find_if(section.horizons.begin(), section.horizons.end(),
+                                  [](const section::Horizon& h) { return h.name == "A (2)"; });
+    const geom::Point middle = top->line.points[20];
+    top->line.points[20] = middle - 0.5 * off;
+    top->line.points.insert(top->line.points.begin() + 21, middle + 0.5 * off);
+    BlockwiseParams how = jigsaw_by(Fit::Walls);
+    unfold::RestoreParams params;
+    params.method = unfold::RestoreMethod::Flexural;
+    const Blockwise made = restore_blockwise(section, how, params, {}).value();
+    const double longer = 2.0 * geom::length(off);  // at most, by what the top has got longer
+    EXPECT_NEAR(*made.rows[1].shift, -slip.x, longer) << off.x;
+    how.pin = middle.x;
+    const Blockwise pinned = restore_blockwise(section, how, params, {}).value();
+    const auto tells = [](const std::string& remark) {
+      return remark.find("degrees off its dip on both sides") != std::string::npos;
+    };
+    EXPECT_EQ(std::count_if(made.remarks.begin(), made.remarks.end(), tells), 0);
+    EXPECT_EQ(std::count_if(pinned.remarks.begin(), pinned.remarks.end(), tells), 1);
+  }
+}
+
 TEST(Walls, DistanceIsWeightedByDepthAsBruteForceHasIt) {
   const Branch left{true, {{0, -1000}, {100, -500}, {-100, 0}}};
   const Branch right{true, {{50, -1000}, {70, 0}}};
