@@ -104,14 +104,16 @@ class Joiner {
     const double back = join.gap > 0.0 ? std::max(-geom::dot(way_out(a, gap), b.at() - a.at()),
                                                   -geom::dot(way_out(b, gap), a.at() - b.at()))
                                        : 0.0;
-    if (back > doubled_back * gap && !between && !cross(a.piece.line, b.piece.line)) {
+    const bool overlap = back > doubled_back * gap && !between;
+    if (overlap && !cross(a.piece.line, b.piece.line)) {
       refuse(a, b,
              fmt::format("the pieces overlap by {:.4g} m, so that the line would turn back on itself; cut one of "
                          "them there, or draw the fault that lies between them",
                          back));
       return false;
     }
-    if (back > 1e-9 * gap) midpoints_.emplace_back(a.at(), b.at());
+    // Pieces that cross are left as they are, and their line is refused.
+    if (!overlap && back > 1e-9 * gap) midpoints_.emplace_back(a.at(), b.at());
     joined_.remarks.push_back(
         fmt::format("horizon '{}': two pieces joined over a gap of {:.6g} m, at ({:.6g}, {:.6g}){}", wish_.horizon,
                     join.gap, join.at.x, join.at.y,

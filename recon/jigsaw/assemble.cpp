@@ -244,29 +244,14 @@ void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, const Targe
   }
 }
 
-/// What beds ask of the slide along a fault, each by its own cutoffs.
-std::optional<double> slide_error(const faults::FaultCutoffs& fault, const Blockwise& made) {
-  double squared = 0.0;
-  std::size_t beds = 0;
-  for (const faults::CutoffPair& pair : fault.pairs) {
-    const auto hanging = restored(pair.hanging_wall, made);
-    const auto foot = restored(pair.footwall, made);
-    if (!hanging || !foot) continue;
-    squared += (hanging->x - foot->x) * (hanging->x - foot->x);
-    ++beds;
-  }
-  return beds > 1 ? std::optional(std::sqrt(squared / static_cast<double>(beds - 1))) : std::nullopt;
-}
-
 /// The shifts are linear in what the ties ask for, and the faults speak independently.
-void add_errors(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
+void add_shift_errors(Blockwise& made) {
   if (made.ties.empty()) return;
   std::vector<std::string> names;
   for (const UnfoldedBlock& block : made.blocks) names.push_back(block.name);
   std::vector<std::optional<double>> variances(names.size(), 0.0);
   for (std::size_t fault = 0; fault < made.faults.size(); ++fault) {
-    std::optional<double>& error = made.faults[fault].slide_error;
-    if (made.faults[fault].measured) error = slide_error(cutoffs[fault], made);
+    const std::optional<double>& error = made.faults[fault].slide_error;
     std::vector<Tie> ties = made.ties;
     for (Tie& tie : ties) tie.apart = tie.fault == fault ? 1.0 : 0.0;
     const auto moved = slide(names, made.pinned, ties);
@@ -289,7 +274,7 @@ void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& w
            const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made) {
   judge_beds(made);
   judge_offsets(cutoffs, target, made);
-  add_errors(cutoffs, made);
+  add_shift_errors(made);
   bool measured = false;
   for (std::size_t i = 0; i < made.faults.size(); ++i) {
     const RestoredFault& fault = made.faults[i];

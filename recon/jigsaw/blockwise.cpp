@@ -248,7 +248,9 @@ base::Result<void> slide_blocks(FaultSetting setting, std::size_t pinned, Fit fi
   DOBRA_TRY(const std::vector<double> shifts, slide(names_of(made.blocks), pinned, ties));
   for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].slid = shifts[b];
   DOBRA_TRY_VOID(place(setting));
-  made.faults = restored_faults(setting, measured_walls(setting, made));
+  const std::vector<FacingWalls> facing = measured_walls(setting, made);
+  made.faults = restored_faults(setting, facing);
+  add_slide_errors(facing, made.blocks, setting.size, made.faults);
   if (fit == Fit::Walls) return {};
   for (const Tie& tie : ties) {
     const double apart = shifts[tie.right] - shifts[tie.left] - tie.apart;

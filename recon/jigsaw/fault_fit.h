@@ -51,12 +51,14 @@ struct RestoredFault {
   std::optional<double> left_apart;  ///< Fit by the top: how far the ends of the top are still apart, m.
   double smaller_area = 0.0;         ///< m2, of the smallest block that it bounds.
   std::optional<double> misfit;      ///< Between the walls, root of the mean square over z, m.
-  /// How unsure the slide along the datum is: the scatter of what single beds ask for by their cutoffs, one standard
-  /// deviation, m; nothing with fewer than two beds.
+  /// How unsure the slide along the datum is, one standard deviation, m: the misfit as the fit of walls trusts them.
   std::optional<double> slide_error;
 };
 /// One for each fault.
 /// @param facing  of the blocks as they are placed at last.
 std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const std::vector<FacingWalls>& facing);
+/// Sets the slide errors of those that are measured.
+void add_slide_errors(const std::vector<FacingWalls>& facing, const std::vector<UnfoldedBlock>& blocks, double size,
+                      std::vector<RestoredFault>& faults);
 
 }  // namespace recon::jigsaw
