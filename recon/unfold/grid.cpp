@@ -221,7 +221,7 @@ std::string why_no_horizon(const section::Section& section, const std::string& n
 
 std::string top_in_pieces(const std::string& whole, const std::vector<section::Horizon>& pieces) {
   const std::string one =
-      fmt::format("to grid a part of the section alone, name the piece, such as top = \"{}\"", pieces.front().name);
+      fmt::format("to grid a part of the section alone, name the piece, such as '{}'", pieces.front().name);
   if (pieces.size() == 1) return fmt::format("the top '{}' is one piece of a horizon; {}", whole, one);
   return fmt::format(
       "the top is one line, and horizon '{}' is {}; join them before (step join, or join_gaps, with a "
