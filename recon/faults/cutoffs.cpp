@@ -96,8 +96,11 @@ class Cutter {
       const bool trims = line[m.last].along <= from_first || length - line[m.first].along <= from_last;
       if (!trims) cross(horizon, line, m);
     }
-    end(horizon, line, at_first, LineEnd::First, !meetings.empty());
-    end(horizon, line, at_last, LineEnd::Last, !meetings.empty());
+    // Of a piece that is hardly longer than the tolerance only the nearer end is the fault's.
+    const bool stub = length <= 2.0 * tolerance_;
+    const bool first_is_nearer = geom::distance(own_, line.front().at) <= geom::distance(own_, line.back().at);
+    if (!stub || first_is_nearer) end(horizon, line, at_first, LineEnd::First, !meetings.empty());
+    if (!stub || !first_is_nearer) end(horizon, line, at_last, LineEnd::Last, !meetings.empty());
   }
 
   /// How far from its end a line may meet the fault and still end there. An end that is as near to the fault as the
@@ -303,7 +306,7 @@ class Cutter {
       greatest = std::max(greatest, std::abs(*pair.separation));
       made_.sense = Sense::None;
     }
-    if (made_.sense == Sense::Unknown || greatest <= rounding_) return;
+    if (made_.sense == Sense::Unknown || greatest <= told_) return;
     made_.sense = sum > 0.0 ? Sense::Normal : Sense::Reverse;
   }
 

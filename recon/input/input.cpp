@@ -221,7 +221,7 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
 
 /// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there.
 void tell_open_ends(const section::Section& section, std::vector<std::string>& remarks) {
-  const double near = 1e-9 * box_of(section).diagonal();
+  const double near = 1e-6 * box_of(section).diagonal();  // what files round
   for (const section::Horizon& horizon : section.horizons) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       if (is_outermost(section, horizon, end)) continue;
