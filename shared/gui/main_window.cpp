@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -53,6 +54,7 @@ struct MainWindow::Actions {
 namespace {
 
 constexpr const char* shown_key = "shown";
+constexpr int roomy = 1000;  ///< Pixels of a window that has room for lists on both sides of the picture.
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
                   Qt::DockWidgetArea area) {
@@ -74,7 +76,7 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
       actions_(std::make_unique<Actions>()) {
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
   make_center();
   make_docks();
   make_actions();
@@ -129,6 +131,15 @@ void MainWindow::make_docks() {
   resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
   resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
   resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
+  if (width() < roomy) {  // what does not fit beside the picture is found under tabs
+    addDockWidget(Qt::LeftDockWidgetArea, layers);
+    addDockWidget(Qt::LeftDockWidgetArea, results);
+    tabifyDockWidget(form, layers);
+    tabifyDockWidget(layers, results);
+    form->raise();
+    resizeDocks({steps}, {260}, Qt::Horizontal);
+    resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
+  }
 
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_form);
   connect(steps_, &StepList::add_asked, this, [this](const std::string& operation) {
@@ -150,7 +161,11 @@ void MainWindow::make_docks() {
     steps_->select(selected);
   });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
-    session_.edit(documents::with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
+    scenario::Document edited = documents::with_table(session_.document(), form_part_, table);
+    const documents::OutcomePtr& outcome = session_.outcome();
+    if (form_part_ == 0 && program_.drawing.settle && outcome && !outcome->run.states.empty())
+      edited = program_.drawing.settle(session_.document(), std::move(edited), outcome->run.states.front());
+    session_.edit(std::move(edited), text("Change '%1'").arg(key));
   });
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
   connect(layers_, &LayerTree::visibility_changed, this,

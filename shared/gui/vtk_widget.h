@@ -3,6 +3,7 @@
 // a double click of the middle button, tell what is under the cursor, mark a place.
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
@@ -86,6 +87,7 @@ class VtkWidget : public QOpenGLWidget {
   void pick(QPointF pixel);
   void show_cursor();
   void pan_by_key(int right, int up);
+  void move_views();
 
   scene::Picture picture_;                         ///< As given.
   std::optional<geom::Point> place_;               ///< Where the marker stands.
@@ -93,6 +95,7 @@ class VtkWidget : public QOpenGLWidget {
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
+  QTimer rest_;  ///< As long as it runs the view moves, and is drawn without smoothing.
   enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
 };
 
