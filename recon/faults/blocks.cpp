@@ -9,11 +9,10 @@
 #include <optional>
 #include <set>
 
-#include "recon/faults/cutoffs.h"
+#include "recon/faults/outline.h"
+#include "recon/faults/parting.h"
 #include "recon/section/face_contours.h"
-#include "shared/base/disjoint_sets.h"
 #include "shared/base/text.h"
-#include "shared/geom/intersect.h"
 #include "shared/geom/place.h"
 #include "shared/topo/locate.h"
 
@@ -27,6 +26,7 @@ using topo::Structure;
 struct BlockDrawing {
   section::Arrangement arrangement;
   std::vector<geom::Polyline> outline;
+  std::vector<std::string> remarks;          ///< On the outline.
   std::vector<std::size_t> fault_of;         ///< By line: its fault, of the first lines.
   std::vector<std::string> names;            ///< Of the faults.
   std::vector<std::vector<HalfEdgeId>> own;  ///< Of each fault along its own line, from the lower end.
@@ -54,18 +54,8 @@ struct BlockDrawing {
 
 namespace {
 
-/// A point within a region: the middle of the widest stretch of a level line between its vertices.
-geom::Point point_inside(const std::vector<geom::Polyline>& contours) {
-  std::vector<double> heights;
-  for (const geom::Polyline& contour : contours) {
-    for (const geom::Point p : contour.points) heights.push_back(p.y);
-  }
-  std::sort(heights.begin(), heights.end());
-  std::size_t widest = 0;
-  for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
-    if (heights[i + 1] - heights[i] > heights[widest + 1] - heights[widest]) widest = i;
-  }
-  const double y = 0.5 * (heights[widest] + heights[widest + 1]);
+/// The middle of the widest stretch of a level line inside a region, and its width.
+std::pair<geom::Point, double> widest_stretch(const std::vector<geom::Polyline>& contours, double y) {
   std::vector<double> crossings;
   for (const geom::Polyline& contour : contours) {
     for (std::size_t i = 0; i < contour.segment_count(); ++i) {
@@ -74,12 +64,35 @@ geom::Point point_inside(const std::vector<geom::Polyline>& contours) {
     }
   }
   std::sort(crossings.begin(), crossings.end());
-  geom::Point best{0.0, y};
-  double width = -1.0;
+  std::pair<geom::Point, double> best{{0.0, y}, -1.0};
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    if (crossings[i + 1] - crossings[i] <= width) continue;
-    width = crossings[i + 1] - crossings[i];
-    best.x = 0.5 * (crossings[i] + crossings[i + 1]);
+    if (crossings[i + 1] - crossings[i] <= best.second) continue;
+    best = {{0.5 * (crossings[i] + crossings[i + 1]), y}, crossings[i + 1] - crossings[i]};
+  }
+  return best;
+}
+
+/// A point well within a region: of the level lines half-way between two vertices, for the farthest such pairs, the
+/// middle of the stretch round which the widest and highest trapezium lies.
+geom::Point point_inside(const std::vector<geom::Polyline>& contours) {
+  std::vector<double> heights;
+  for (const geom::Polyline& contour : contours) {
+    for (const geom::Point p : contour.points) heights.push_back(p.y);
+  }
+  std::sort(heights.begin(), heights.end());
+  std::vector<std::pair<double, double>> levels;  // height of the trapezium, place
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i)
+    levels.emplace_back(heights[i + 1] - heights[i], 0.5 * (heights[i] + heights[i + 1]));
+  constexpr std::size_t tried = 32;  // the outline may have a spike of no width along a fault
+  std::sort(levels.begin(), levels.end(), std::greater<>());
+  const std::size_t count = std::min(tried, levels.size());
+  geom::Point best;
+  double most = -1.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [middle, width] = widest_stretch(contours, levels[i].second);
+    if (width * levels[i].first <= most) continue;
+    most = width * levels[i].first;
+    best = middle;
   }
   return best;
 }
@@ -88,45 +101,6 @@ bool inside(const std::vector<geom::Polyline>& outline, geom::Point p) {
   const auto holds = [&](const geom::Polyline& ring) { return geom::locate(ring, p) == geom::Side::Inside; };
   return std::count_if(outline.begin(), outline.end(), holds) % 2 == 1;
 }
-
-/// The lines that part blocks: of faults as long as they reach, with what they are lengthened by at their ends.
-class Parting {
- public:
-  Parting(const std::vector<Fault>& faults, double size) : faults_(faults), size_(size) {}
-
-  [[nodiscard]] geom::Polyline line_of(const Fault& fault) const {
-    geom::Polyline line = own_line(fault);
-    std::vector<geom::Point>& points = line.points;
-    if (const auto more = beyond(fault, fault.upper, points[points.size() - 2], points.back())) points.push_back(*more);
-    if (const auto more = beyond(fault, fault.lower, points[1], points.front())) points.insert(points.begin(), *more);
-    return line;
-  }
-
- private:
-  [[nodiscard]] std::optional<geom::Point> beyond(const Fault& fault, const FaultEnd& end, geom::Point inner,
-                                                  geom::Point last) const {
-    if (end.kind == EndKind::Tip) return std::nullopt;
-    const geom::Vector way = geom::normalised(last - inner);
-    if (end.kind != EndKind::Border) {  // a little past what it ends on, whose course is rounded
-      const geom::Vector to = end.at - last;
-      return end.at + 1e-9 * size_ * (geom::length(to) > 1e-9 * size_ ? geom::normalised(to) : way);
-    }
-    geom::Point far = last + 20.0 * size_ * way;
-    for (const Fault& other : faults_) {
-      if (&other == &fault) continue;
-      const geom::Polyline line = own_line(other);
-      for (std::size_t i = 0; i < line.segment_count(); ++i) {
-        const geom::Intersection hit = geom::intersect({last, far}, line.segment(i));
-        if (hit.kind != geom::IntersectionKind::None && hit.start.point != last)
-          far = hit.start.point + 1e-9 * size_ * way;
-      }
-    }
-    return far;
-  }
-
-  const std::vector<Fault>& faults_;
-  double size_;
-};
 
 /// Why a fault parts nothing.
 base::Error unparted(const Fault& fault, const std::vector<geom::Polyline>& outline) {
@@ -155,30 +129,63 @@ class Gatherer {
   explicit Gatherer(BlockDrawing& drawing) : drawing_(drawing), sub_(drawing.sub()), faces_(sub_.faces()) {}
 
   std::vector<Block> run() {
-    std::size_t highest = 0;
-    for (const FaceId f : faces_) highest = std::max(highest, f.index());
-    base::DisjointSets sets(highest + 1);
-    const auto frame = static_cast<std::uint32_t>(drawing_.fault_of.size());
-    for (const EdgeId e : sub_.edges()) {
-      if (!drawing_.faults_on(e).empty() || drawing_.arrangement.runs_along(e, frame)) continue;
-      const HalfEdgeId h = Structure::half_edge(e);
-      sets.join(sub_.face(h).index(), sub_.face(Structure::twin(h)).index());
-    }
-    find_rock(highest + 1);
+    base::DisjointSets sets = cells_of(drawing_.arrangement, drawing_.fault_of.size());
+    find_rock(sets.size());
     std::vector<Block> blocks = blocks_of(sets);
     for (Block& block : blocks) complete(block);
     return blocks;
   }
 
  private:
+  /// By how often the outline winds round each face: it changes over each edge by the contours that run along that.
   void find_rock(std::size_t count) {
-    drawing_.rock.assign(count, false);
     drawing_.block_of.assign(count, BlockId());
-    for (const FaceId f : faces_) {
-      if (f == Structure::unbounded()) continue;
-      const auto contours = section::contours_of(drawing_.arrangement, f);
-      drawing_.rock[f.index()] = !contours.empty() && inside(drawing_.outline, point_inside(contours));
+    drawing_.rock.assign(count, false);
+    std::map<HalfEdgeId, int> turns;  // that the left side has more than the right one
+    const std::size_t first = drawing_.fault_of.size() + 1;
+    for (std::size_t ring = 0; ring < drawing_.outline.size(); ++ring) {
+      for (const HalfEdgeId h : drawing_.arrangement.path(static_cast<std::uint32_t>(first + ring))) {
+        ++turns[h];
+        --turns[Structure::twin(h)];
+      }
     }
+    std::vector<std::optional<int>> winding(count);
+    std::vector<FaceId> open{Structure::unbounded()};
+    winding[open.front().index()] = 0;
+    while (!open.empty()) {
+      const FaceId f = open.back();
+      open.pop_back();
+      const int here = *winding[f.index()];
+      drawing_.rock[f.index()] = here > 0;
+      for (const topo::LoopId loop : sub_.loops(f)) {
+        for (const HalfEdgeId h : sub_.half_edges(loop)) {
+          const FaceId beyond = sub_.face(Structure::twin(h));
+          if (winding[beyond.index()]) continue;
+          const auto turn = turns.find(h);
+          winding[beyond.index()] = here - (turn == turns.end() ? 0 : turn->second);
+          open.push_back(beyond);
+        }
+      }
+    }
+    for (const FaceId f : faces_) {
+      if (!drawing_.rock[f.index()] && is_sliver(f)) drawing_.rock[f.index()] = has_rock_beside(f);
+    }
+  }
+
+  /// Between a fault and the outline along it, whose crossings are rounded.
+  [[nodiscard]] bool is_sliver(FaceId f) const {
+    return f != Structure::unbounded() && drawing_.arrangement.area(f) <= 1e6 * drawing_.rounding * drawing_.rounding;
+  }
+  /// On its own side of the faults.
+  [[nodiscard]] bool has_rock_beside(FaceId f) const {
+    for (const topo::LoopId loop : sub_.loops(f)) {
+      for (const HalfEdgeId h : sub_.half_edges(loop)) {
+        const FaceId beyond = sub_.face(Structure::twin(h));
+        if (drawing_.rock[beyond.index()] && !is_sliver(beyond) && drawing_.faults_on(Structure::edge(h)).empty())
+          return true;
+      }
+    }
+    return false;
   }
 
   std::vector<Block> blocks_of(base::DisjointSets& sets) {
@@ -265,23 +272,24 @@ base::Result<void> name_blocks(const section::Section& section, const std::vecto
 base::Result<Blocks> Blocks::make(const section::Section& section, const std::vector<Fault>& faults,
                                   const FaultOptions& options) {
   auto drawing = std::make_shared<BlockDrawing>();
-  DOBRA_TRY(drawing->outline, outline_of(section, faults, options));
+  DOBRA_TRY(Outline outline, outline_of(section, faults, options));
+  drawing->outline = std::move(outline.rings);
+  drawing->remarks = std::move(outline.remarks);
   geom::Box box = box_of(section);
   for (const geom::Polyline& ring : drawing->outline) box.add(ring.box());
   const double size = box.diagonal();
   drawing->rounding = 1e-9 * size;
-  const Parting parting(faults, size);
+  const std::vector<geom::Polyline> parting = parting_lines(faults, size);
   std::vector<geom::Polyline> lines;  // one a segment, so that each is an edge as it runs
   for (std::size_t i = 0; i < faults.size(); ++i) {
-    const geom::Polyline line = parting.line_of(faults[i]);
+    const geom::Polyline& line = parting[i];
     drawing->names.push_back(faults[i].name);
     for (std::size_t k = 0; k < line.segment_count(); ++k) {
       lines.push_back({{line.points[k], line.points[k + 1]}, false});
       drawing->fault_of.push_back(i);
     }
   }
-  const geom::Box round = box.grown(3.0 * size);
-  lines.push_back({{round.low, {round.high.x, round.low.y}, round.high, {round.low.x, round.high.y}}, true});
+  lines.push_back(frame_of(box, size));
   lines.insert(lines.end(), drawing->outline.begin(), drawing->outline.end());
   DOBRA_TRY(drawing->arrangement, section::Arrangement::make(std::move(lines)));
   drawing->own.resize(faults.size());
@@ -320,7 +328,7 @@ std::vector<std::string> Blocks::remarks_on_beds(const section::Section& section
     const geom::Point middle = geom::midpoint(s.from, s.to);
     return !inside(drawing_->outline, middle + off) && !inside(drawing_->outline, middle - off);
   };
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = drawing_->remarks;
   for (const section::Horizon& horizon : section.horizons) {
     const std::size_t count = horizon.line.segment_count();
     for (const std::size_t k : {count / 2, count / 4, 3 * count / 4}) {

@@ -7,10 +7,8 @@
 #include <numeric>
 
 #include "recon/faults/pairing.h"
-#include "recon/section/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/intersect.h"
-#include "shared/topo/region.h"
 
 namespace recon::faults {
 
@@ -350,23 +348,6 @@ void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section
       }
     }
   }
-}
-
-base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section, std::vector<Fault> faults,
-                                                     const FaultOptions& options) {
-  if (section.border) return std::vector<geom::Polyline>{*section.border};
-  for (Fault& fault : faults) fault.undecided.reset();
-  section::Section tidy = section;
-  const double past = 1e-9 * box_of(section).diagonal();
-  const std::vector<FaultCutoffs> cutoffs = cutoffs_of(section, faults, options);
-  for (section::Horizon& horizon : tidy.horizons) reach_faults(cutoffs, past, horizon);
-  DOBRA_TRY(const section::SectionFaces faces, faces_of(tidy));
-  std::vector<geom::Polyline> rings;
-  for (const section::RockUnit& unit : faces.units)
-    rings.insert(rings.end(), unit.contours.begin(), unit.contours.end());
-  for (const section::Unit& unit : section.units) rings.push_back(unit.contour);
-  if (rings.empty()) return rings;
-  return dobra::topo::region(rings, dobra::topo::Inside::Positive);
 }
 
 }  // namespace recon::faults

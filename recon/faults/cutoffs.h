@@ -51,10 +51,4 @@ std::string partner_missing(const CutoffPair& pair, const std::string& fault);
 /// Takes the horizon's ends to the faults that cut it off, and `past` metres farther.
 void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section::Horizon& horizon);
 
-/// What surrounds the rock of the section: its border, or that of its units, where horizons have been extended and
-/// trimmed to the faults; simple rings. Empty where the horizons enclose nothing.
-/// @error those of section::faces_of and topo::region.
-base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section, std::vector<Fault> faults,
-                                                     const FaultOptions& options);
-
 }  // namespace recon::faults

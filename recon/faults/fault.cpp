@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "recon/faults/cutoffs.h"
+#include "recon/faults/outline.h"
 #include "shared/base/text.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/place.h"
@@ -370,8 +370,8 @@ geom::Polyline own_line(const Fault& fault) {
 base::Result<std::vector<Fault>> faults_of(const section::Section& section, const FaultOptions& options) {
   const double tolerance = tolerance_of(section, options);
   DOBRA_TRY(std::vector<Fault> faults, drawn_faults(section, tolerance));
-  DOBRA_TRY(const std::vector<geom::Polyline> outline, outline_of(section, faults, options));
-  const Ends ends(section, faults, outline, tolerance);
+  DOBRA_TRY(const Outline outline, outline_of(section, faults, options));
+  const Ends ends(section, faults, outline.rings, tolerance);
   std::vector<std::pair<FaultEnd, FaultEnd>> found;
   for (const Fault& fault : faults)
     found.emplace_back(ends.of(fault, fault.path.line.points.front()), ends.of(fault, fault.path.line.points.back()));

@@ -305,6 +305,26 @@ std::vector<OpenPlace> open_places(const Section& section, const Arrangement& ar
   return open;
 }
 
+/// Where the outside lies over a horizon.
+std::vector<BareStretch> bare_stretches(const Section& section, const Arrangement& arrangement) {
+  const Subdivision& sub = arrangement.subdivision();
+  std::vector<BareStretch> bare;
+  for (std::size_t i = 0; i < section.horizons.size(); ++i) {
+    bool goes_on = false;
+    for (const HalfEdgeId h : arrangement.path(static_cast<std::uint32_t>(i))) {
+      const bool open = sub.face(h) == Structure::unbounded();
+      if (open && !goes_on) bare.push_back({section.horizons[i].id, {}});
+      if (open) {
+        arrangement.append(h, bare.back().line.points);
+        bare.back().line.points.push_back(sub.point(sub.target(h)));
+      }
+      goes_on = open;
+    }
+  }
+  for (BareStretch& stretch : bare) stretch.line = geom::without_repeated_points(std::move(stretch.line));
+  return bare;
+}
+
 /// Pairs of horizons with a common vertex.
 base::Result<std::vector<HorizonMeeting>> meetings_in(const Section& section, const Arrangement& arrangement) {
   const Subdivision& sub = arrangement.subdivision();
@@ -415,6 +435,7 @@ base::Result<SectionFaces> faces_of(const Section& as_given) {
     if (!order.empty()) made.open = open_places(section, arrangement, sides.loose, order.back());
   }
   const Subdivision& sub = arrangement.subdivision();
+  made.bare = bare_stretches(section, arrangement);
   DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
   std::set<FaceId> air;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {

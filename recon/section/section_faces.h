@@ -45,12 +45,19 @@ struct OpenPlace {
   geom::Point place;
 };
 
+/// Part of a horizon over which lies nothing of the section.
+struct BareStretch {
+  HorizonId horizon;
+  geom::Polyline line;
+};
+
 struct SectionFaces {
   std::vector<HorizonMeeting> meetings;
   std::vector<RockUnit> units;  ///< From the top down.
   double area = 0.0;            ///< Within the border, m2, found without the faces.
   std::vector<Misfit> misfits;
   std::vector<OpenPlace> open;
+  std::vector<BareStretch> bare;
 };
 
 /// The border is the section's own, or made of its first and last horizon and straight lines between the ends of

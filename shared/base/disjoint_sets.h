@@ -25,6 +25,7 @@ class DisjointSets {
     b = root(b);
     parent_[std::max(a, b)] = std::min(a, b);
   }
+  [[nodiscard]] std::size_t size() const { return parent_.size(); }
   std::size_t set_count() {
     std::size_t count = 0;
     for (std::size_t i = 0; i < parent_.size(); ++i) count += root(i) == i ? 1U : 0U;

@@ -59,27 +59,16 @@ TEST(Blocks, TwoParallelFaultsPartThree) {
   EXPECT_EQ(*hanging, std::vector<BlockId>({blocks[1].id, blocks[2].id}));
 }
 
-TEST(Blocks, BedsBesideWhichARockIsOpenAreTold) {
-  // Of three beds in two walls the lowest of the left wall has a gap, so that nothing closes the rock above it.
-  const std::vector<test::NamedPoints> whole{{"A/1", {{0, 0}, {500, 0}}},       {"A/2", {{500, -40}, {900, -40}}},
-                                             {"B/1", {{0, -200}, {500, -200}}}, {"B/2", {{500, -240}, {900, -240}}},
-                                             {"C/1", {{0, -400}, {500, -400}}}, {"C/2", {{500, -440}, {900, -440}}}};
-  const section::Section closed = faulted(whole, {item("F", {{500, 100}, {499, -1000}})});
-  const Made tidy = made_of(closed);
-  EXPECT_EQ(tidy.blocks.all().size(), 2U);
-  EXPECT_TRUE(tidy.blocks.remarks_on_beds(closed).empty());
-
-  section::Section open = closed;
-  open.horizons[4].line.points = {{0, -400}, {200, -400}};
-  open.horizons.push_back(open.horizons[4]);
-  open.horizons.back().name = "C/3";
-  open.horizons.back().id = section::HorizonId(6);
-  open.horizons.back().line.points = {{230, -400}, {500, -400}};
-  const Made made = made_of(open);
-  const std::vector<std::string> remarks = made.blocks.remarks_on_beds(open);
-  ASSERT_EQ(remarks.size(), 2U);
-  EXPECT_NE(remarks[0].find("C/1"), std::string::npos);
-  EXPECT_NE(remarks[1].find("C/3"), std::string::npos);
+TEST(Blocks, ABedWithRockOnNeitherSideIsTold) {
+  // Of the two beds of the left wall the hanging wall has one.
+  const section::Section lone =
+      faulted({{"A/1", {{0, 0}, {500, 0}}}, {"B/1", {{0, -200}, {500, -200}}}, {"B/2", {{500, -240}, {900, -240}}}},
+              {item("F", {{500, 100}, {499, -1000}})});
+  const Made made = made_of(lone);
+  EXPECT_EQ(made.blocks.all().size(), 1U);
+  const std::vector<std::string> remarks = made.blocks.remarks_on_beds(lone);
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_NE(remarks[0].find("horizon 'B/2' has rock on neither side at (700, -240)"), std::string::npos) << remarks[0];
 }
 
 TEST(Blocks, AnXOfFaultsPartsFourAndTheHangingWallHasTwo) {
