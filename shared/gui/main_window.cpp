@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -28,6 +29,7 @@
 #include "shared/gui/results.h"
 #include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
@@ -74,6 +76,7 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
       session_(program),
       player_(session_),
       actions_(std::make_unique<Actions>()) {
+  QApplication::setPalette(theme::with_quiet_words(QApplication::palette()));
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
   resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
@@ -106,7 +109,7 @@ void MainWindow::make_center() {
   hint_->setWordWrap(true);
   hint_->setMargin(100);  // so that it stands between the axes
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  hint_->setStyleSheet("color: #707070; font-size: 12pt;");
+  hint_->setStyleSheet("font-size: 12pt; color: " + QColor::fromRgb(theme::paper_quiet).name());
   auto* middle = new QVBoxLayout(view_);
   middle->addWidget(hint_);
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
