@@ -80,12 +80,13 @@ scenario::Document with_colors_kept(scenario::Document document, const section::
                                     const std::set<std::string>& gone) {
   const scenario::Value* rows = document.input.find("horizon");
   if (gone.empty() || rows == nullptr) return document;
+  const std::set<std::string> left = horizons_of(document);
   std::set<std::string> behind;
   bool found = false;
   for (const std::vector<const section::Horizon*>& pieces : section::whole_horizons(section)) {
     const std::string& name = whole_name(*pieces.front());
     if (found) behind.insert(name);
-    found = found || gone.contains(name);
+    found = found || (gone.contains(name) && !left.contains(name));
   }
   const section::Palette palette(section);
   Tables horizons = std::get<Tables>(*rows);

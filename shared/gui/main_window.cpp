@@ -461,9 +461,9 @@ void MainWindow::show_progress(double fraction, const QString& what) { status_->
 
 void MainWindow::show_outcome() {
   if (!session_.busy()) status_->end_run();
+  actions_->cancel->setEnabled(session_.busy());
   if (!session_.outcome()) return;
   const documents::Outcome& outcome = *session_.outcome();
-  actions_->cancel->setEnabled(session_.busy());
   error_.reset();
   error_bar_->clear();
   view_->clear_place();

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "recon/core/operations.h"
 #include "recon/input/colors.h"
 #include "recon/input/input.h"
 #include "recon/input/section_input.h"
