@@ -103,10 +103,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setCursor(Qt::CrossCursor);
   rest_.setSingleShot(true);
   rest_.setInterval(at_rest);
-  connect(&rest_, &QTimer::timeout, this, [this] {
-    if (scene_) scene_->window->SetMultiSamples(render::samples_a_pixel);
-    update();
-  });
+  connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
 }
 
 VtkWidget::~VtkWidget() {
@@ -184,6 +181,7 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
 void VtkWidget::show_picture() {
   if (!scene_) return;
   makeCurrent();
+  hurry();
   scene_->scene.set_picture(picture_);
   scene_->scene.set_views(views_);
   relayout();
@@ -267,12 +265,22 @@ void VtkWidget::pan(QPointF from, QPointF by) {
 }
 
 /// Smoothing costs about as much as all the rest of a frame: it comes with the view at rest.
+void VtkWidget::hurry() {
+  scene_->window->SetMultiSamples(0);
+  rest_.start();
+}
+
+void VtkWidget::come_to_rest() {
+  rest_.stop();
+  if (scene_) scene_->window->SetMultiSamples(render::samples_a_pixel);
+  update();
+}
+
 void VtkWidget::move_views() {
   makeCurrent();
-  if (!rest_.isActive()) scene_->window->SetMultiSamples(0);
+  hurry();
   scene_->scene.set_views(views_);
   doneCurrent();
-  rest_.start();
   update();
   emit view_changed();
 }

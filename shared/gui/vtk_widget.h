@@ -46,6 +46,8 @@ class VtkWidget : public QOpenGLWidget {
     geom::Point at;
   };
   [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
+  /// The next frame is that of a view at rest: smoothed.
+  void come_to_rest();
   /// New pictures are looked at where this one is now, also where all of it is shown.
   void hold();
   /// Whether it can be drawn, so that places have pixels.
@@ -88,6 +90,8 @@ class VtkWidget : public QOpenGLWidget {
   void show_cursor();
   void pan_by_key(int right, int up);
   void move_views();
+  /// Frames are to be quick from now on, until the view has been at rest for a while.
+  void hurry();
 
   scene::Picture picture_;                         ///< As given.
   std::optional<geom::Point> place_;               ///< Where the marker stands.
