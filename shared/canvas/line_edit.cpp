@@ -123,8 +123,8 @@ base::Result<Polyline> joined(const Polyline& a, const Polyline& b) {
   }
   // Of b what follows a's last point, or comes before its first.
   const bool behind = nearest.first == End::Last;
-  Polyline other = (nearest.second == End::First) == behind ? b : geom::reversed(b);
-  Polyline first = behind ? a : std::move(other);
+  const Polyline other = (nearest.second == End::First) == behind ? b : geom::reversed(b);
+  Polyline first = behind ? a : other;
   const Polyline& second = behind ? other : a;
   first.points.insert(first.points.end(), second.points.begin(), second.points.end());
   return geom::without_repeated_points(std::move(first));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "recon/input/line_input.h"
 #include "recon/maps/columns.h"
@@ -47,6 +48,33 @@ inline section::Section section_of(const std::vector<geom::Polyline>& lines) {
   section::Section section;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     section.horizons.push_back({section::HorizonId(i), i == 0 ? "top" : "bed" + std::to_string(i), lines[i], {}});
+  }
+  return section;
+}
+
+/// A random section: a gentle fold train with beds below it, not parallel to it.
+inline section::Section random_section(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const double height = 100.0 + 150.0 * unit(random);
+  const double phase = 6.28 * unit(random);
+  const double wave = 2000.0 + 1500.0 * unit(random);
+  std::vector<geom::Polyline> lines(3);
+  for (std::size_t bed = 0; bed < 3; ++bed) {
+    const double fade = 1.0 - 0.15 * static_cast<double>(bed);
+    for (int i = 0; i <= 200; ++i) {
+      const double x = 50.0 * i + (i % 200 == 0 ? 0.0 : 20.0 * (unit(random) - 0.5));
+      const double z = fade * height * std::sin(2.0 * std::numbers::pi * x / wave + phase) + 0.01 * x;
+      lines[bed].points.push_back({x, z - 120.0 * static_cast<double>(bed) - 10.0 * unit(random)});
+    }
+  }
+  section::Section section = test::section_of(lines);
+  // The base of the grid is smooth; beds are as picked.
+  section.horizons[0].line.points.clear();
+  for (int i = 0; i <= 200; ++i) {
+    const double x = 50.0 * i;
+    section.horizons[0].line.points.push_back(
+        {x, height * std::sin(2.0 * std::numbers::pi * x / wave + phase) + 0.01 * x});
   }
   return section;
 }

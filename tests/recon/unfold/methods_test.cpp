@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
 #include "recon/core/grid_step.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/target_step.h"
-#include "shared/base/parallel.h"
 #include "shared/geom/contour.h"
 #include "tests/recon/shapes.h"
 
@@ -248,39 +246,13 @@ TEST(Methods, LineLengthUnfoldingGivesEveryHorizonItsLength) {
   }
 }
 
-/// A random section: a gentle fold train with beds below it, not parallel to it.
-section::Section random_section(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  const double height = 100.0 + 150.0 * unit(random);
-  const double phase = 6.28 * unit(random);
-  const double wave = 2000.0 + 1500.0 * unit(random);
-  std::vector<geom::Polyline> lines(3);
-  for (std::size_t bed = 0; bed < 3; ++bed) {
-    const double fade = 1.0 - 0.15 * static_cast<double>(bed);
-    for (int i = 0; i <= 200; ++i) {
-      const double x = 50.0 * i + (i % 200 == 0 ? 0.0 : 20.0 * (unit(random) - 0.5));
-      const double z = fade * height * std::sin(2.0 * pi * x / wave + phase) + 0.01 * x;
-      lines[bed].points.push_back({x, z - 120.0 * static_cast<double>(bed) - 10.0 * unit(random)});
-    }
-  }
-  section::Section section = test::section_of(lines);
-  // The base of the grid is smooth; beds are as picked.
-  section.horizons[0].line.points.clear();
-  for (int i = 0; i <= 200; ++i) {
-    const double x = 50.0 * i;
-    section.horizons[0].line.points.push_back({x, height * std::sin(2.0 * pi * x / wave + phase) + 0.01 * x});
-  }
-  return section;
-}
-
 TEST(Methods, REC_g_ForwardThenBackwardIsTheIdentityForEveryMethod) {
   TargetParams bent;
   bent.shape = TargetShape::Line;
   bent.points = {{-2000, 300}, {3000, 100}, {5200, 250}, {9000, 0}, {14000, 200}};
   bent.target_pin = {5200, 250};
   for (unsigned seed = 1; seed <= 6; ++seed) {
-    const section::Section section = random_section(seed);
+    const section::Section section = test::random_section(seed);
     TargetParams target = seed % 2 == 0 ? bent : TargetParams{};
     target.pin = 4800.0 + 100.0 * seed;
     const model::Model model = with_target(section, target);
@@ -373,7 +345,7 @@ TEST(Methods, REC_g_FlexuralSlipAlongHorizonsComesBackAboveTheTopToo) {
 }
 
 TEST(Methods, HorizonsGoVertexByVertexWhereTheMethodTakesThemAsBeds) {
-  const section::Section section = random_section(3);
+  const section::Section section = test::random_section(3);
   const model::Model model = with_target(section, pinned_at(4800.0));
   for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::LineLength}) {
     const Restoration flat = restored(model, by(method));
@@ -456,20 +428,6 @@ TEST(Methods, RegionalAndHorizonTargetsAreFollowed) {
   target.shape = TargetShape::Regional;
   const Restoration regional = restored(with_target(section, target), by(RestoreMethod::Flexural));
   for (const geom::Point p : regional.section.horizons[0].line.points) EXPECT_NEAR(p.y, 0.1 * p.x - 3.0, 1e-9);
-}
-
-TEST(Methods, TheSameBytesComeOutOfEveryMethodAtAnyNumberOfThreads) {
-  const model::Model model = with_target(random_section(9));
-  for (const RestoreMethod method : all_methods) {
-    std::vector<Restoration> runs;
-    for (const std::size_t threads : {1, 3}) {
-      base::set_thread_count(threads);
-      runs.push_back(restored(model, by(method)));
-    }
-    base::set_thread_count(0);
-    for (std::size_t i = 0; i < runs[0].lines.size(); ++i) EXPECT_EQ(runs[0].lines[i].after, runs[1].lines[i].after);
-    EXPECT_EQ(runs[0].ledger.field.values, runs[1].ledger.field.values);
-  }
 }
 
 }  // namespace

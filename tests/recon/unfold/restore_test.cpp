@@ -10,7 +10,6 @@
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/target_step.h"
-#include "shared/base/parallel.h"
 #include "tests/recon/shapes.h"
 
 namespace recon::unfold {
@@ -133,18 +132,6 @@ TEST(Restore, APinInTheMiddleStaysInPlace) {
   ASSERT_TRUE(model);
   EXPECT_EQ(model->target->source_pin.x, 5.0);
   EXPECT_LT(geom::distance(model->target->map.map(model->target->source_pin), model->target->source_pin), 1e-12);
-}
-
-TEST(Restore, TheSameBytesComeOutAtAnyNumberOfThreads) {
-  const geom::Polyline top = test::cosine();
-  const section::Section section = test::section_of({top, test::parallel(top, 0.3), {{{0, -3}, {12, -2.5}}, false}});
-  base::set_thread_count(1);
-  const auto one = restored(section);
-  base::set_thread_count(4);
-  const auto four = restored(section);
-  base::set_thread_count(0);
-  ASSERT_TRUE(one && four);
-  for (std::size_t h = 0; h < 3; ++h) EXPECT_EQ(one->restoration->lines[h].after, four->restoration->lines[h].after);
 }
 
 TEST(Restore, ACancelledRestorationSaysSo) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "shared/base/angle.h"
-#include "shared/base/parallel.h"
 #include "shared/fem/error/exact_fields.h"
 #include "shared/fem/error/recover.h"
 #include "shared/fem/stress.h"
@@ -210,17 +209,6 @@ TEST(Solve, TwoMaterialsInSeriesStretchLikeTwoSprings) {
   problem.cases[0].sides = {{"right", uniform({12.0, 0.0})}};  // 6 N
   const double end = 6.0 * (0.5 / (100.0 * 2.0) + 0.5 / (300.0 * 0.5));
   EXPECT_NEAR(solved(mesh, problem).cases[0].displacements[node_at(mesh, {1, 1}).index()].x, end, 1e-13);
-}
-
-TEST(Solve, TheBytesDoNotDependOnTheNumberOfThreads) {
-  const ElementMesh mesh = quarter_plate(ElementType::T6, 40);
-  base::set_thread_count(1);
-  const Solution one = solved(mesh, kirsch_problem(plate));
-  base::set_thread_count(4);
-  const Solution four = solved(mesh, kirsch_problem(plate));
-  base::set_thread_count(0);
-  EXPECT_EQ(one.cases[0].displacements, four.cases[0].displacements);
-  EXPECT_EQ(one.cases[0].reactions, four.cases[0].reactions);
 }
 
 /// A quarter of a thick cylinder, radii 1 and 2, under a pressure of 1 inside; plane strain.

@@ -9,7 +9,6 @@
 #include <limits>
 #include <numbers>
 
-#include "shared/base/parallel.h"
 #include "shared/offset/stepper/stepper.h"
 #include "tests/support/offset_oracle.h"
 
@@ -530,15 +529,6 @@ TEST(Offset, ManyDistancesAtOnceGiveTheCurvesOfEachAlone) {
       }
     }
   }
-}
-
-TEST(Offset, SameBytesWithAnyNumberOfThreads) {
-  const auto d = distances({13, 0.2, 1.0}).value();
-  base::set_thread_count(1);
-  const auto one = run(c7(), d);
-  base::set_thread_count(0);
-  const auto many = run(c7(), d);
-  for (std::size_t k = 0; k < d.size(); ++k) EXPECT_EQ(one[k].pieces.at(0).points, many[k].pieces.at(0).points);
 }
 
 TEST(Stepper, AgreesWithTheEngineOnOpenAndClosedCurves) {
