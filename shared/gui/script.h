@@ -13,7 +13,7 @@
 // - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
 // - watch play|pause|stop: the operation at work; watch step COUNT: so many steps more
 // - longest-gap PATH: milliseconds that the window was deaf for at most since the last of these, or the beginning
-// - frames PATH: pans to and fro, and writes how many pictures a second are drawn meanwhile
+// - frames PATH: pans there and back, and writes how many pictures a second are drawn meanwhile
 // - recover: takes up the changes that a window lost
 // - quit: without asking, and without keeping what is not saved
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
