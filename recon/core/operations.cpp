@@ -18,6 +18,7 @@
 #include "recon/core/restore_step.h"
 #include "recon/core/section_picture.h"
 #include "recon/core/target_step.h"
+#include "recon/input/colors.h"
 #include "recon/input/drawing.h"
 #include "recon/input/input.h"
 #include "recon/model/chain.h"
@@ -115,7 +116,12 @@ scenario::Drawing drawing() {
             return input::with_lines_edited(document, scenario::model_of<model::Model>(input).section, edits);
           },
       .add = [](const scenario::Document& document, const std::string& table, const std::string& name,
-                const geom::Polyline& line) { return input::with_line(document, table, name, line); }};
+                const geom::Polyline& line) { return input::with_line(document, table, name, line); },
+      .settle =
+          [](const scenario::Document& before, scenario::Document after, const scenario::State& input) {
+            const std::set<std::string> gone = input::horizons_gone(before, after);
+            return input::with_colors_kept(std::move(after), scenario::model_of<model::Model>(input).section, gone);
+          }};
 }
 
 scenario::Program make_program() {

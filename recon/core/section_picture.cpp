@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -140,6 +141,22 @@ void add_horizons(scene::Panel& panel, const section::Section& section, const se
   }
 }
 
+/// The colour as that of words on white: as dark as a contrast of 4.5 asks for.
+scene::Color of_words(scene::Color color) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const auto contrast = [&] {  // of WCAG 2
+    return 1.05 / (0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue) + 0.05);
+  };
+  while (contrast() < 4.5) {
+    for (std::uint8_t* channel : {&color.red, &color.green, &color.blue})
+      *channel = static_cast<std::uint8_t>(*channel * 31 / 32);
+  }
+  return color;
+}
+
 /// Names at the right ends; the layout makes room for them. The highest choose first, the others stand below.
 void add_names(scene::Panel& panel, const section::Section& section, const section::Palette& palette) {
   struct Name {
@@ -157,7 +174,7 @@ void add_names(scene::Panel& panel, const section::Section& section, const secti
   std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.at.y < b.at.y; });
   for (const Name& name : names) {
     scene::Style style;
-    style.line = palette.of(whole_name(*name.first)).line;
+    style.line = of_words(palette.of(whole_name(*name.first)).line);
     style.text_size = 8.0;
     const std::string& text = whole_name(*name.first);
     panel.layers.push_back({"name_" + std::to_string(name.first->id.index()), text, style,

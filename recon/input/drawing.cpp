@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "recon/input/colors.h"
 #include "recon/input/import.h"
 #include "recon/input/input.h"
 #include "recon/input/line_file.h"
@@ -29,12 +30,6 @@ base::Error refuse(const std::string& name, const char* why) {
   base::Place place;
   place.item = fmt::format("'{}'", name);
   return {base::ErrorCode::BadValue, base::translated(why), place};
-}
-
-std::string text_of(const scenario::Table& table, std::string_view key) {
-  const scenario::Value* value = table.find(key);
-  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
-  return text == nullptr ? std::string() : *text;
 }
 
 Tables tables_of(const scenario::Table& input, const std::string& key) {
@@ -213,6 +208,7 @@ void replace(Tables& tables, const Item& item, const Coordinates& coordinates,
 
 base::Result<scenario::Document> with_lines_edited(scenario::Document document, const section::Section& section,
                                                    std::span<const scene::LineEdit> edits) {
+  std::set<std::string> gone;
   for (const scene::LineEdit& edit : edits) {
     DOBRA_TRY(const Item item, item_of(section, edit.pick));
     Tables tables = tables_of(document.input, item.table);
@@ -227,8 +223,9 @@ base::Result<scenario::Document> with_lines_edited(scenario::Document document, 
     }
     replace(tables, item, Coordinates(document.input), edit.becomes);
     set_tables(document.input, item.table, std::move(tables));
+    if (item.table == "horizon" && edit.becomes.empty()) gone.insert(item.piece_of.empty() ? item.name : item.piece_of);
   }
-  return document;
+  return with_colors_kept(std::move(document), section, gone);
 }
 
 base::Result<scenario::Document> with_line(scenario::Document document, const std::string& table,

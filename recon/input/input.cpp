@@ -8,6 +8,7 @@
 #include <limits>
 #include <tuple>
 
+#include "recon/input/colors.h"
 #include "recon/input/import.h"
 #include "recon/input/items.h"
 #include "recon/input/join.h"
@@ -342,6 +343,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   for (std::string& remark : remarks_of(faces, result.section)) result.remarks.push_back(std::move(remark));
   result.section.faces = std::make_shared<const section::SectionFaces>(std::move(faces));
   if (!input.colors.empty()) DOBRA_TRY_VOID(read_colors((context.folder / input.colors).string(), result));
+  DOBRA_TRY_VOID(take_colors(input, result.section));
   return result;
 }
 

@@ -53,6 +53,7 @@ struct HorizonInput {
   geom::DrawnAs curve = geom::DrawnAs::Line;
   std::vector<geom::Point> tangents;
   std::vector<double> weights;
+  std::string color;
   std::optional<PlacedLine> placed = std::nullopt;  ///< Out of an [[input.lines]]; instead of file and points.
   template <class D>
   static void describe(D& d) {
@@ -60,6 +61,8 @@ struct HorizonInput {
     d.field("piece_of", &HorizonInput::piece_of,
             {.title = "Piece of the horizon",
              .help = "Name of the horizon that faults have cut this piece from; the pieces add up in the ledger."});
+    d.field("colour", &HorizonInput::color,
+            {.title = "Colour", .help = "Such as #1a2b3c; by default the usual ones, one after the other."});
   }
   /// What lines of all kinds have. @param order  the key of the order of the points.
   template <class Input, class D>

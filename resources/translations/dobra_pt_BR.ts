@@ -3759,5 +3759,13 @@
         <source>&amp;Undo: last point</source>
         <translation>&amp;Desfazer: último ponto</translation>
     </message>
+    <message>
+        <source>Colour</source>
+        <translation>Cor</translation>
+    </message>
+    <message>
+        <source>Such as #1a2b3c; by default the usual ones, one after the other.</source>
+        <translation>Como #1a2b3c; por padrão as usuais, uma depois da outra.</translation>
+    </message>
 </context>
 </TS>

@@ -11,6 +11,7 @@
 #include "shared/canvas/entry.h"
 #include "shared/gui/documents/shown.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/vtk_widget.h"
 
 namespace dobra::gui {
@@ -19,11 +20,11 @@ namespace {
 
 constexpr double reach = 8.0;        ///< Pixels round the cursor.
 constexpr double handle_size = 7.0;  ///< Pixels.
-const QColor drawn_color(0x0b, 0x57, 0xd0);
-const QColor chosen_color(0xd9, 0x5f, 0x02);
-const QColor snap_color(0xb0, 0x00, 0x6d);
-const QColor text_background(255, 255, 255, 225);
-const QColor text_color(0x20, 0x20, 0x20);
+const QColor drawn_color = QColor::fromRgb(theme::drawn);
+const QColor chosen_color = QColor::fromRgb(theme::chosen);
+const QColor snap_color = QColor::fromRgb(theme::snapped);
+const QColor text_background = QColor::fromRgba(theme::paper_behind_words);
+const QColor text_color = QColor::fromRgb(theme::paper_words);
 
 /// A place without a snap, to a tenth of a pixel in round decimals: what a mouse can mean.
 double rounded(double value, double pixel) {

@@ -5,16 +5,14 @@
 #include <QToolButton>
 
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
 
 namespace dobra::gui {
 
 ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), show_(new QToolButton(this)) {
   setObjectName("error_bar");
-  setStyleSheet(
-      "#error_bar { background: #fdecea; border: 1px solid #e0a09a; }"
-      "#error_bar QLabel { color: #5f1411; }"
-      "#error_bar QToolButton { color: #5f1411; background: #f8d3ce; border: 1px solid #c98a84; padding: 2px 8px; }");
+  setStyleSheet(theme::error_bar);
   auto* sign = new QLabel(this);
   sign->setPixmap(theme::icon(theme::Symbol::Warning).pixmap(20, 20));
   words_->setWordWrap(true);

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -10,6 +11,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -27,6 +29,7 @@
 #include "shared/gui/results.h"
 #include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
@@ -53,6 +56,7 @@ struct MainWindow::Actions {
 namespace {
 
 constexpr const char* shown_key = "shown";
+constexpr int roomy = 1000;  ///< Pixels of a window that has room for lists on both sides of the picture.
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
                   Qt::DockWidgetArea area) {
@@ -72,9 +76,10 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
       session_(program),
       player_(session_),
       actions_(std::make_unique<Actions>()) {
+  QApplication::setPalette(theme::with_quiet_words(QApplication::palette()));
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
   make_center();
   make_docks();
   make_actions();
@@ -104,7 +109,7 @@ void MainWindow::make_center() {
   hint_->setWordWrap(true);
   hint_->setMargin(100);  // so that it stands between the axes
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  hint_->setStyleSheet("color: #707070; font-size: 12pt;");
+  hint_->setStyleSheet("font-size: 12pt; color: " + QColor::fromRgb(theme::paper_quiet).name());
   auto* middle = new QVBoxLayout(view_);
   middle->addWidget(hint_);
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
@@ -129,6 +134,15 @@ void MainWindow::make_docks() {
   resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
   resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
   resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
+  if (width() < roomy) {  // what does not fit beside the picture is found under tabs
+    addDockWidget(Qt::LeftDockWidgetArea, layers);
+    addDockWidget(Qt::LeftDockWidgetArea, results);
+    tabifyDockWidget(form, layers);
+    tabifyDockWidget(layers, results);
+    form->raise();
+    resizeDocks({steps}, {260}, Qt::Horizontal);
+    resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
+  }
 
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_form);
   connect(steps_, &StepList::add_asked, this, [this](const std::string& operation) {
@@ -150,7 +164,11 @@ void MainWindow::make_docks() {
     steps_->select(selected);
   });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
-    session_.edit(documents::with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
+    scenario::Document edited = documents::with_table(session_.document(), form_part_, table);
+    const documents::OutcomePtr& outcome = session_.outcome();
+    if (form_part_ == 0 && program_.drawing.settle && outcome && !outcome->run.states.empty())
+      edited = program_.drawing.settle(session_.document(), std::move(edited), outcome->run.states.front());
+    session_.edit(std::move(edited), text("Change '%1'").arg(key));
   });
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
   connect(layers_, &LayerTree::visibility_changed, this,
@@ -443,9 +461,9 @@ void MainWindow::show_progress(double fraction, const QString& what) { status_->
 
 void MainWindow::show_outcome() {
   if (!session_.busy()) status_->end_run();
+  actions_->cancel->setEnabled(session_.busy());
   if (!session_.outcome()) return;
   const documents::Outcome& outcome = *session_.outcome();
-  actions_->cancel->setEnabled(session_.busy());
   error_.reset();
   error_bar_->clear();
   view_->clear_place();

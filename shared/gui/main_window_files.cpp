@@ -80,6 +80,7 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
 }
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
+  view_->come_to_rest();
   const QImage image = grab().toImage();
   const double ratio = image.devicePixelRatio();
   const QPoint corner = view_->mapTo(this, QPoint(0, 0));

@@ -47,6 +47,7 @@ QString missing_in(const Table& table, const std::vector<Field>& fields) {
 }  // namespace
 
 QString in_words_of_the_form(const QString& message, const std::vector<Field>& fields) {
+  if (message.isEmpty()) return {};  // as a form says of each of its rows
   QString said = message;
   static const QRegularExpression option(R"( ?\(--[^()]*\))");
   said.remove(option);

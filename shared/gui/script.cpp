@@ -39,7 +39,7 @@ const std::map<std::string, std::size_t>& commands() {
       {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
       {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
       {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
-      {"drag", 5},  {"keys", 2},        {"look", 2}};
+      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2}};
   return all;
 }
 
@@ -146,6 +146,8 @@ Result<void> Script::execute(const Line& line) {
     session.recover();
   } else if (command == "longest-gap") {
     return io::write_file(line.rest, std::to_string(std::exchange(longest_gap_, 0)) + "\n");
+  } else if (command == "frames") {
+    return io::write_file(line.rest, QString::number(frames_a_second(), 'f', 1).toStdString() + "\n");
   } else if (command == "hide" || command == "show") {
     if (!window_.layers().set_layer_visible(line.rest, command == "show")) {
       return failure(text("no layer '%1'").arg(QString::fromStdString(line.rest)));
@@ -226,6 +228,20 @@ Result<void> Script::zoom(const Line& line) {
     return failure(text("write zoom FACTOR X Y with a factor above 0 and X, Y in 0..1"));
   window_.view().zoom(*factor, {*x * window_.view().width(), *y * window_.view().height()});
   return {};
+}
+
+double Script::frames_a_second() {
+  VtkWidget& view = window_.view();
+  if (view.panel_count() == 0) return 0.0;
+  const QPointF middle = view.plot(0).center();
+  QElapsedTimer clock;
+  clock.start();
+  constexpr int frames = 40;
+  for (int i = 0; i < frames; ++i) {
+    view.pan(middle, {i < frames / 2 ? 3.0 : -3.0, 0.0});
+    view.repaint();
+  }
+  return 1000.0 * frames / static_cast<double>(std::max<qint64>(clock.elapsed(), 1));
 }
 
 Result<void> Script::mouse(const Line& line) {

@@ -13,6 +13,7 @@
 // - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
 // - watch play|pause|stop: the operation at work; watch step COUNT: so many steps more
 // - longest-gap PATH: milliseconds that the window was deaf for at most since the last of these, or the beginning
+// - frames PATH: pans there and back, and writes how many pictures a second are drawn meanwhile
 // - recover: takes up the changes that a window lost
 // - quit: without asking, and without keeping what is not saved
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
@@ -60,6 +61,7 @@ class Script : public QObject {
   void press_keys(const QString& typed);
   void press_next_key();
   base::Result<void> watch(const Line& line);
+  double frames_a_second();
   base::Result<void> write_report(const std::filesystem::path& file);
 
   std::vector<Line> lines_;

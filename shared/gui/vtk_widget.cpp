@@ -28,6 +28,7 @@ namespace {
 constexpr double pick_reach = 8.0;       ///< Pixels round the cursor, as the tools reach.
 constexpr double zoom_a_notch = 1.2;     ///< Of the wheel: 15 degrees, 120 units.
 constexpr double pan_a_key = 0.1;        ///< Of the plot.
+constexpr int at_rest = 200;             ///< Milliseconds after the last movement of the view.
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
 constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
@@ -100,6 +101,9 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setAccessibleDescription(text("Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans."));
   setMinimumSize(320, 240);
   setCursor(Qt::CrossCursor);
+  rest_.setSingleShot(true);
+  rest_.setInterval(at_rest);
+  connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
 }
 
 VtkWidget::~VtkWidget() {
@@ -177,6 +181,7 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
 void VtkWidget::show_picture() {
   if (!scene_) return;
   makeCurrent();
+  hurry();
   scene_->scene.set_picture(picture_);
   scene_->scene.set_views(views_);
   relayout();
@@ -246,11 +251,7 @@ void VtkWidget::zoom(double factor, QPointF at) {
     const geom::Point still = spot && spot->panel == i ? spot->at : views[i].centre;
     views_[i] = scene::zoom_at(views[i], still, factor);
   }
-  makeCurrent();
-  scene_->scene.set_views(views_);
-  doneCurrent();
-  update();
-  emit view_changed();
+  move_views();
 }
 
 void VtkWidget::pan(QPointF from, QPointF by) {
@@ -260,7 +261,24 @@ void VtkWidget::pan(QPointF from, QPointF by) {
   for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
   const double exaggeration = picture_.panels[spot->panel].vertical_exaggeration;
   views_[spot->panel] = scene::pan(views[spot->panel], {by.x(), by.y()}, exaggeration);
+  move_views();
+}
+
+/// Smoothing costs about as much as all the rest of a frame: it comes with the view at rest.
+void VtkWidget::hurry() {
+  scene_->window->SetMultiSamples(0);
+  rest_.start();
+}
+
+void VtkWidget::come_to_rest() {
+  rest_.stop();
+  if (scene_) scene_->window->SetMultiSamples(render::samples_a_pixel);
+  update();
+}
+
+void VtkWidget::move_views() {
   makeCurrent();
+  hurry();
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
@@ -434,10 +452,7 @@ void VtkWidget::pan_by_key(int right, int up) {
     const geom::Vector by{-pan_a_key * right * plot.width(), pan_a_key * up * plot.height()};
     views_[i] = scene::pan(views[i], by, picture_.panels[i].vertical_exaggeration);
   }
-  makeCurrent();
-  scene_->scene.set_views(views_);
-  doneCurrent();
-  update();
+  move_views();
 }
 
 void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -3,6 +3,7 @@
 // a double click of the middle button, tell what is under the cursor, mark a place.
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
@@ -45,6 +46,8 @@ class VtkWidget : public QOpenGLWidget {
     geom::Point at;
   };
   [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
+  /// The next frame is that of a view at rest: smoothed.
+  void come_to_rest();
   /// New pictures are looked at where this one is now, also where all of it is shown.
   void hold();
   /// Whether it can be drawn, so that places have pixels.
@@ -86,6 +89,9 @@ class VtkWidget : public QOpenGLWidget {
   void pick(QPointF pixel);
   void show_cursor();
   void pan_by_key(int right, int up);
+  void move_views();
+  /// Frames are to be quick from now on, until the view has been at rest for a while.
+  void hurry();
 
   scene::Picture picture_;                         ///< As given.
   std::optional<geom::Point> place_;               ///< Where the marker stands.
@@ -93,6 +99,7 @@ class VtkWidget : public QOpenGLWidget {
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
+  QTimer rest_;  ///< As long as it runs the view moves, and is drawn without smoothing.
   enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
 };
 

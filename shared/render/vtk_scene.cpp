@@ -38,7 +38,7 @@ class VtkScene::Impl {
  public:
   Impl(vtkRenderWindow& window, const scene::LayoutOptions& options) : window_(window), options_(options) {
     window.SetNumberOfLayers(3);
-    window.SetMultiSamples(4);
+    window.SetMultiSamples(samples_a_pixel);
     window.SetAlphaBitPlanes(0);
     window.SetDPI(72);  // so that a font's size is its height in pixels
     background_ = add_renderer(window, background_level);

@@ -19,6 +19,9 @@ namespace dobra::render {
 /// How large VTK draws text at so many pixels a page unit (it knows only whole pixels).
 scene::TextMeasure vtk_text_measure(double pixels_per_point);
 
+/// What smooths edges; the caller may take less while the view moves.
+inline constexpr int samples_a_pixel = 4;
+
 enum class KeepViews { No, Yes };
 
 class VtkScene {

@@ -153,6 +153,9 @@ struct Drawing {
   std::function<base::Result<Document>(const Document& document, const std::string& table, const std::string& name,
                                        const geom::Polyline&)>
       add{};
+  /// What an edit of the input in a form is to take along, so that the rest looks as before; may be left out.
+  /// @param input  the state of `before`.
+  std::function<Document(const Document& before, Document after, const State& input)> settle{};
 };
 
 enum class TakesUnits { SiOnly, Any };

@@ -208,7 +208,10 @@ void paint(Picture& picture, const ColorTable& table) {
         layer.style.fill->alpha = alpha;
       } else if (!area) {
         const bool text = std::holds_alternative<Labels>(layer.content);
-        layer.style.line = text && is_light(*entry->color) ? darker(*entry->color) : *entry->color;
+        const auto usual = std::find(fills.begin(), fills.end(), *entry->color);  // has a line of its own
+        layer.style.line = usual != fills.end()              ? lines[static_cast<std::size_t>(usual - fills.begin())]
+                           : text && is_light(*entry->color) ? darker(*entry->color)
+                                                             : *entry->color;
       }
     }
   }

@@ -6,7 +6,7 @@
 Each section is opened and restored in the window under xvfb-run (1280 x 800), there once more after an edit of the
 restoration, and on the command line. Printed: seconds and resident memory at most of both, and the longest time in which
 the window answered nothing, until the section was opened (the first picture, for which OpenGL starts, among it) and after
-the edit.
+the edit; and the pictures a second that are drawn while the section is panned.
 """
 
 import math
@@ -51,8 +51,8 @@ def measured(command):
 def main():
     recon = os.path.abspath(sys.argv[1])
     sizes = [tuple(map(int, size.split('x'))) for size in sys.argv[2:] or ['10x1000', '100x10000']]
-    print('| section | command line s | MB | window s | MB | deaf ms on opening | on an edit |')
-    print('|---|---|---|---|---|---|---|')
+    print('| section | command line s | MB | window s | MB | deaf ms on opening | on an edit | frames a second |')
+    print('|---|---|---|---|---|---|---|---|')
     for horizons, points in sizes:
         with tempfile.TemporaryDirectory() as folder:
             scenario = write_section(folder, horizons, points)
@@ -60,13 +60,13 @@ def main():
             gaps = os.path.join(folder, 'gaps.txt')
             with open(script, 'w') as out:
                 out.write(f'wait\nlongest-gap {gaps}.open\nselect 3\nset percent 99\nwait\nlongest-gap {gaps}.edit\n'
-                          f'screenshot {folder}/shot.png\nquit\n')
+                          f'frames {gaps}.frames\nscreenshot {folder}/shot.png\nquit\n')
             line, line_mb = measured([recon, 'run', scenario, '--quiet', '--out', os.path.join(folder, 'out')])
             window, window_mb = measured(['xvfb-run', '-a', '-s', '-screen 0 1280x800x24', recon, scenario, '--script',
                                           script])
-            opened, edited = (open(f'{gaps}.{what}').read().strip() for what in ('open', 'edit'))
+            opened, edited, frames = (open(f'{gaps}.{what}').read().strip() for what in ('open', 'edit', 'frames'))
             print(f'| {horizons} x {points} | {line:.1f} | {line_mb:.0f} | {window:.1f} | {window_mb:.0f} | {opened} | '
-                  f'{edited} |', flush=True)
+                  f'{edited} | {frames} |', flush=True)
 
 
 if __name__ == '__main__':

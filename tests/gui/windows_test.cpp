@@ -124,6 +124,24 @@ TEST_P(Windows, WhatIsRefusedIsDrawn) {
   EXPECT_NE(read("bow.svg").find("bow"), std::string::npos);
 }
 
+/// At 200 % a screen of 1280 x 800 has room for 640 x 400 of the window's units.
+TEST_P(Windows, FitsASmallScreenAtTwiceTheScale) {
+  const std::string name = GetParam();
+  const std::string script = write("script.txt", "wait\nscreenshot " + path("small.png") + "\nquit\n");
+  ASSERT_EQ(run("QT_SCALE_FACTOR=2 xvfb-run -a -s '-screen 0 1280x800x24' " + program(name) + " " +
+                example(name).string() + " --script " + script),
+            0);
+  const std::string png = read("small.png");
+  ASSERT_GT(png.size(), 24U);
+  const auto number = [&](std::size_t at) {  // big-endian, of the header
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = 256U * value + static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  EXPECT_LE(number(16), 1280U);
+  EXPECT_LE(number(20), 800U);
+}
+
 /// A window that is killed leaves its changes, and the next one takes them up.
 TEST_P(Windows, AKilledWindowLosesNothing) {
   const std::string name = GetParam();

@@ -4,7 +4,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
+#include "recon/core/operations.h"
+#include "recon/input/colors.h"
 #include "recon/input/input.h"
 #include "recon/input/section_input.h"
 
@@ -104,6 +107,50 @@ TEST(Drawing, WhatIsDeletedIsGone) {
   const section::Section there = section_of(edited(document, {{{"line_0", 0}, {}}, {{"horizon_1", 1}, {}}}));
   EXPECT_EQ(there.horizons.size(), 1U);
   EXPECT_TRUE(there.lines.empty());
+}
+
+TEST(Drawing, HorizonsKeepTheirColoursWhenOneIsDeleted) {
+  const scenario::Document document = document_of(
+      "[[input.horizon]]\nname = \"A\"\npoints = [[0, 0], [200, 0]]\n"
+      "[[input.horizon]]\nname = \"B\"\npoints = [[0, -50], [200, -50]]\n"
+      "[[input.horizon]]\nname = \"C\"\npoints = [[0, -90], [200, -90]]\n"
+      "[[input.horizon]]\nname = \"D\"\npoints = [[0, -120], [200, -120]]\ncolour = \"#102030\"\n");
+  const auto shown = [](const scenario::Document& of) {
+    std::map<std::string, std::pair<dobra::scene::Color, std::optional<dobra::scene::Color>>> colors;
+    const scenario::Program& program = core::program();
+    const auto input = program.read_input(of.input, {.folder = of.folder()}, {});
+    EXPECT_TRUE(input);
+    const dobra::scene::Picture picture = program.picture_of(*input);
+    for (const dobra::scene::Layer& layer : picture.panels.at(0).layers)
+      colors[layer.key.substr(0, layer.key.find('_') + 1) + layer.title] = {layer.style.line, layer.style.fill};
+    return colors;
+  };
+  const auto before = shown(document);
+  const scenario::Document canvas = edited(document, {{{"horizon_1", 1}, {}}});
+  scenario::Document form = document;
+  auto rows = std::get<std::vector<scenario::Table>>(*form.input.find("horizon"));
+  rows.erase(rows.begin() + 1);
+  form.input.set("horizon", rows);
+  form = with_colors_kept(form, section_of(document), horizons_gone(document, form));
+  for (const scenario::Document& after : {canvas, form}) {
+    const auto now = shown(after);
+    for (const char* key : {"horizon_A", "horizon_C", "horizon_D", "name_A", "name_C", "name_D"}) {
+      ASSERT_TRUE(now.contains(key) && before.contains(key)) << key;
+      EXPECT_EQ(now.at(key), before.at(key)) << key;
+    }
+    const auto& left = std::get<std::vector<scenario::Table>>(*after.input.find("horizon"));
+    EXPECT_EQ(left[0].find("colour"), nullptr);
+    EXPECT_EQ(*left[2].find("colour"), scenario::Value("#102030"));
+  }
+  EXPECT_EQ(before.at("horizon_D").first, (dobra::scene::Color{0x10, 0x20, 0x30, 255}));
+}
+
+TEST(Drawing, AWordThatIsNoColourIsRefused) {
+  const scenario::Document document =
+      document_of("[[input.horizon]]\nname = \"A\"\npoints = [[0, 0], [200, 0]]\ncolour = \"blueish\"\n");
+  const auto read = read_section(scenario::from_table<SectionInput>(document.input), {}, {});
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("blueish"), std::string::npos);
 }
 
 TEST(Drawing, AFileOfManyLinesIsTakenIntoTheDocumentAndStaysAsItIs) {

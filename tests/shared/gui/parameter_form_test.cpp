@@ -166,9 +166,19 @@ TEST(ParameterForm, WhatIsWrongIsReadableOnLightAndOnDarkPalettes) {
     const QPalette shown = line->parentWidget()->palette();
     EXPECT_NE(shown.color(QPalette::Base), QColor(base));
     EXPECT_GE(contrast(shown.color(QPalette::Base), shown.color(QPalette::Text)), 4.5) << back;
-    EXPECT_GE(contrast(theme::wrong_text(palette), QColor(back)), 4.5) << back;
+    const QColor quiet = theme::with_quiet_words(palette).color(QPalette::PlaceholderText);
+    for (const QColor& words :
+         {theme::wrong_text(palette), theme::right_text(palette), theme::remark_text(palette), quiet}) {
+      EXPECT_GE(contrast(words, QColor(back)), 4.5) << back;
+      EXPECT_GE(contrast(words, QColor(base)), 4.5) << base;
+    }
   }
   QApplication::setPalette(before);
+}
+
+TEST(Theme, WordsOnThePaperOfTheCanvasAreReadable) {
+  for (const QRgb words : {theme::paper_quiet, theme::paper_words})
+    EXPECT_GE(contrast(QColor::fromRgb(words), Qt::white), 4.5);
 }
 
 TEST_F(ParameterFormTest, ANumberMayHaveADecimalComma) {
