@@ -46,8 +46,8 @@ std::vector<Point> points_in_document(const geom::Polyline& line, const std::vec
   std::vector<Point> points;
   for (const Point shown : line.points) {
     const Point p = lengths.in_document(shown);
-    const auto same = std::find_if(written.begin(), written.end(),
-                                   [&](Point q) { return geom::distance(p, q) <= rounding; });
+    const auto same =
+        std::find_if(written.begin(), written.end(), [&](Point q) { return geom::distance(p, q) <= rounding; });
     points.push_back(same == written.end() ? p : *same);
   }
   return points;
@@ -81,13 +81,14 @@ void move_entry(scenario::Table& entry, geom::Vector way) {
   if (centre == nullptr) return;
   if (const auto* at = std::get_if<Point>(centre)) {
     entry.set("centre", *at + way);
-  } else if (const auto* numbers = std::get_if<std::vector<double>>(centre); numbers != nullptr && numbers->size() == 2) {
+  } else if (const auto* numbers = std::get_if<std::vector<double>>(centre);
+             numbers != nullptr && numbers->size() == 2) {
     entry.set("centre", Point{(*numbers)[0], (*numbers)[1]} + way);
   }
 }
 
-Result<void> replace(scenario::Entries& entries, const sketch::Curve& curve,
-                     const std::vector<geom::Polyline>& becomes, const Lengths& lengths) {
+Result<void> replace(scenario::Entries& entries, const sketch::Curve& curve, const std::vector<geom::Polyline>& becomes,
+                     const Lengths& lengths) {
   const auto entry = scenario::entry_named(entries, curve.name);
   if (becomes.empty()) {
     entries.erase(entry);
@@ -148,12 +149,14 @@ Result<scenario::Document> with_curves_edited(scenario::Document document, const
   for (const scene::LineEdit& edit : edits) {
     const bool drawn = edit.pick.layer == "boundary" || edit.pick.layer == "internal" || edit.pick.layer == "cracks";
     if (!drawn || edit.pick.id >= curves.size())
-      return scenario::edit_refused(edit.pick.layer, "this is drawn by the program and cannot be edited; edit curves and cracks");
+      return scenario::edit_refused(edit.pick.layer,
+                                    "this is drawn by the program and cannot be edited; edit curves and cracks");
     const sketch::Curve& curve = curves[edit.pick.id];
     const char* key = curve.role == sketch::Role::Crack ? "crack" : "curve";
     scenario::Entries entries = scenario::entries_of(document.input, key);
     if (scenario::entry_named(entries, curve.name) == entries.end())
-      return scenario::edit_refused(curve.name, "a file or a specimen holds this curve, not the scenario; change it there");
+      return scenario::edit_refused(curve.name,
+                                    "a file or a specimen holds this curve, not the scenario; change it there");
     DOBRA_TRY_VOID(replace(entries, curve, edit.becomes, lengths));
     scenario::set_entries(document.input, key, std::move(entries));
   }
@@ -189,19 +192,20 @@ Result<scenario::Document> with_curve(scenario::Document document, const std::st
 
 scenario::Drawing drawing() {
   using Of = scenario::Drawing::Kind::Of;
-  return {.kinds = {{"outline", "Outline", Of::Polygons},
-                    {"hole", "Hole", Of::Polygons},
-                    {"crack", "Crack"},
-                    {"internal", "Internal line"},
-                    {"boundary", "Part of the boundary"},
-                    {"point", "Point", Of::Points},
-                    {"region", "Region", Of::Points}},
-          .edit = [](const scenario::Document& document, const scenario::State& input,
-                     std::span<const scene::LineEdit> edits) {
+  return {
+      .kinds = {{"outline", "Outline", Of::Polygons},
+                {"hole", "Hole", Of::Polygons},
+                {"crack", "Crack"},
+                {"internal", "Internal line"},
+                {"boundary", "Part of the boundary"},
+                {"point", "Point", Of::Points},
+                {"region", "Region", Of::Points}},
+      .edit =
+          [](const scenario::Document& document, const scenario::State& input, std::span<const scene::LineEdit> edits) {
             return with_curves_edited(document, scenario::model_of<model::Model>(input), edits);
           },
-          .add = [](const scenario::Document& document, const std::string& kind, const std::string& name,
-                    const geom::Polyline& line) { return with_curve(document, kind, name, line); }};
+      .add = [](const scenario::Document& document, const std::string& kind, const std::string& name,
+                const geom::Polyline& line) { return with_curve(document, kind, name, line); }};
 }
 
 }  // namespace quebra::core

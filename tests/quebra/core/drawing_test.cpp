@@ -158,7 +158,8 @@ TEST(Drawing, WhatTheDocumentDoesNotHoldIsRefused) {
   const model::Model model = model_of(document);
   ASSERT_FALSE(model.domain.curves.empty());
   const bool crack = model.domain.curves[0].role == sketch::Role::Crack;
-  const auto refused = with_curves_edited(document, model, std::vector<LineEdit>{{{crack ? "cracks" : "boundary", 0}, {}}});
+  const auto refused =
+      with_curves_edited(document, model, std::vector<LineEdit>{{{crack ? "cracks" : "boundary", 0}, {}}});
   ASSERT_FALSE(refused);
   EXPECT_NE(to_string(refused.error()).find("a file or a specimen"), std::string::npos);
   EXPECT_FALSE(with_curves_edited(document, model, std::vector<LineEdit>{{{"mesh", 0}, {}}}));
