@@ -54,7 +54,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/gui/theme", {"shared/base"}},
       {"shared/gui", {"shared/gui/documents", "shared/gui/theme", "shared/render", "shared/scenario", "shared/canvas"}},
       {"recon/section", {"shared/topo", "shared/scene"}},
-      {"recon/input", {"recon/section", "shared/scenario/lines"}},
+      {"recon/input", {"recon/section", "recon/faults", "shared/scenario/lines"}},
       {"recon/maps", {"shared/geom"}},
       {"recon/balance", {"recon/section", "recon/maps", "shared/mesh/front", "shared/scenario", "shared/io/formats"}},
       {"recon/unfold", {"recon/input", "recon/maps", "recon/balance", "shared/offset"}},

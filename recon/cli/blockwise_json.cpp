@@ -68,6 +68,7 @@ std::string blockwise_json(const model::Model& model, Geometry geometry) {
     Json block = {{"name", row.name}, {"shift", or_null(row.shift)}};
     if (row.raise) block["raise"] = *row.raise;
     if (row.turn) block["turn"] = *row.turn;
+    if (!made.ties.empty()) block["shift_error"] = or_null(row.shift_error);
     blocks.push_back(std::move(block));
   }
   json["blocks"] = std::move(blocks);
@@ -91,26 +92,34 @@ std::string blockwise_table(const model::Model& model) {
   const jigsaw::Blockwise& made = *model.blockwise;
   const bool rigid = is_rigid(made.how);
   std::string text = fmt::format("{:<28} {:>14}", "block", "shift [m]");
-  text += rigid ? fmt::format(" {:>14} {:>14}\n", "raise [m]", "turn [deg]") : "\n";
+  const bool slid = !made.ties.empty();
+  text += rigid  ? fmt::format(" {:>14} {:>14}\n", "raise [m]", "turn [deg]")
+          : slid ? fmt::format(" {:>14}\n", "error [m]")
+                 : "\n";
   for (const jigsaw::BlockRow& row : made.rows) {
     const auto cell = [](const std::optional<double>& value) {
       return fmt::format(" {:>14}", value ? fmt::format("{:.6g}", *value) : "-");
     };
-    text += fmt::format("{:<28}{}{}\n", row.name, cell(row.shift), rigid ? cell(row.raise) + cell(row.turn) : "");
+    text += fmt::format("{:<28}{}{}\n", row.name, cell(row.shift),
+                        rigid  ? cell(row.raise) + cell(row.turn)
+                        : slid ? cell(row.shift_error)
+                               : "");
   }
   if (made.how.jigsaw) {
-    text += fmt::format("\n{:<28} {:>12} {:>12} {:>10} {:>12}\n", "fault", "gap [m2]", "overlap [m2]", "dip [deg]",
-                        "shorter [m]");
+    text += fmt::format("\n{:<28} {:>12} {:>12} {:>10} {:>12} {:>10} {:>10}\n", "fault", "gap [m2]", "overlap [m2]",
+                        "dip [deg]", "shorter [m]", "misfit [m]", "error [m]");
     for (const jigsaw::RestoredFault& fault : made.faults) {
       text += fmt::format("{:<28}", fault.name);
-      constexpr int widths[] = {12, 12, 10, 12};
+      constexpr int widths[] = {12, 12, 10, 12, 10, 10};
       const int* width = widths;
       for (const core::RowCell& cell : core::cells_of(fault))
         text += fmt::format(" {:>{}}", cell.value ? fmt::format("{:.6g}", *cell.value) : "-", *width++);
       text += '\n';
     }
-    text += fmt::format("\nwidth {:.6g} m, restored {:.6g} m; shorter by {:.6g} m, of which {:.6g} m by folding\n",
-                        made.widths.before, made.widths.after, made.widths.shortening(), made.widths.folding());
+    text += fmt::format(
+        "\nwidth {:.6g} m, restored {:.6g} m; shorter by {:.6g} m, of which {:.6g} m by folds and tilt "
+        "of the blocks\n",
+        made.widths.before, made.widths.after, made.widths.shortening(), made.widths.folding());
   }
   text += fmt::format("\n{:<28} {:>12} {:>12} {:>8}\n", "horizon", "before [m]", "after [m]", "[%]");
   for (const balance::LineLength& row : balance::whole_beds(made.lengths)) {

@@ -35,8 +35,10 @@ std::string move_json(const model::Model& model, Geometry geometry) {
         {{"horizon", misfit.horizon}, {"along", misfit.along}, {"gap", misfit.gap}, {"overlap", misfit.overlap}});
   }
   json["misfit"] = std::move(misfits);
-  json["gap_area"] = moved.opened.gap;
-  json["overlap_area"] = moved.opened.overlap;
+  if (moved.whole_wall) {
+    json["gap_area"] = moved.opened.gap;
+    json["overlap_area"] = moved.opened.overlap;
+  }
   Json figures = Json::object();
   for (const auto& [name, value] : moved.motion.figures) figures[name] = value;
   json["figures"] = std::move(figures);
@@ -56,8 +58,10 @@ std::string move_table(const model::Model& model) {
   std::string text = fmt::format("fault {}, {}: slip {:.6g} m\n", moved.params.fault, method_name(*moved.params.method),
                                  moved.motion.slip);
   if (!moved.blocks.empty()) text += fmt::format("blocks moved: {}\n", fmt::join(moved.blocks, ", "));
-  text += fmt::format("{} pieces moved; gap {:.6g} m2, overlap {:.6g} m2 along the fault\n", moved.pieces.size(),
-                      moved.opened.gap, moved.opened.overlap);
+  text += fmt::format("{} pieces moved", moved.pieces.size());
+  if (moved.whole_wall)
+    text += fmt::format("; gap {:.6g} m2, overlap {:.6g} m2 along the fault", moved.opened.gap, moved.opened.overlap);
+  text += '\n';
   for (const auto& [name, value] : moved.motion.figures) text += fmt::format("{:<28} {:>14.7g}\n", name, value);
   if (moved.misfit.empty()) return text;
   text += fmt::format("\n{:<28} {:>14} {:>12} {:>12}\n", "horizon", "along [m]", "gap [m]", "overlap [m]");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "recon/input/import.h"
+#include "recon/input/line_file.h"
 #include "shared/cli/line_options.h"
 #include "shared/io/formats/line_files.h"
 
@@ -18,7 +19,7 @@ namespace scenario = dobra::scenario;
 using dobra::geom::Point;
 
 /// The lines of a file as the tables of an input, in the order of the file.
-void write_tables(std::vector<input::ImportedLine> lines, scenario::Table& input) {
+void write_tables(std::vector<input::ImportedLine> lines, double join_gaps, scenario::Table& input) {
   std::vector<std::pair<std::string, std::vector<scenario::Table>>> tables;
   for (input::ImportedLine& line : lines) {
     scenario::Table row;
@@ -26,6 +27,7 @@ void write_tables(std::vector<input::ImportedLine> lines, scenario::Table& input
     row.set("points", std::move(line.line.points));
     if (!line.piece_of.empty()) row.set("piece_of", std::move(line.piece_of));
     if (line.role == section::BedRole::Growth) row.set("role", std::string("growth"));
+    if (line.table == "horizon" && join_gaps > 0.0) row.set("join_gaps", join_gaps);
     if (line.order > 0) row.set("order", static_cast<std::int64_t>(line.order));
     if (line.hanging_wall != section::HangingWall::Auto)
       row.set("hanging_wall", std::string(section::hanging_wall_name(line.hanging_wall)));
@@ -49,7 +51,8 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
     document.expects.clear();
     return document;
   }
-  DOBRA_TRY(const io::formats::LineOptions options, dobra::cli::line_options(section.lines));
+  DOBRA_TRY(io::formats::LineOptions options, dobra::cli::line_options(section.lines));
+  input::leave_horizons_apart(options.repair);
   DOBRA_TRY(const io::formats::LineWork work, io::formats::read_any_lines(section.file, options));
   for (const std::string& remark : work.remarks) session.note(remark);
   for (const io::formats::Repair& repair : work.repairs) session.note(io::formats::to_string(repair));
@@ -58,7 +61,7 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   document.title = std::filesystem::path(section.file).stem().string();
   DOBRA_TRY(input::Import import, input::import_lines(work.features));
   for (const std::string& remark : import.remarks) session.note(remark);
-  write_tables(std::move(import.lines), document.input);
+  write_tables(std::move(import.lines), options.repair.gaps.value_or(0.0), document.input);
   if (work.trace || options.fold_axis) {
     const auto [left, right] = io::lines::ends_of(options.fold_axis ? io::lines::azimuth_of(*options.fold_axis)
                                                                     : io::lines::azimuth_of(*work.trace));

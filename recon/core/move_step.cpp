@@ -32,8 +32,10 @@ void add_move_quantities(const model::Model& model, std::vector<scenario::Quanti
     quantities.push_back({prefix + "gap", misfit.gap, "m"});
     quantities.push_back({prefix + "overlap", misfit.overlap, "m"});
   }
-  quantities.push_back({"move.gap_area", moved.opened.gap, "m2"});
-  quantities.push_back({"move.overlap_area", moved.opened.overlap, "m2"});
+  if (moved.whole_wall) {
+    quantities.push_back({"move.gap_area", moved.opened.gap, "m2"});
+    quantities.push_back({"move.overlap_area", moved.opened.overlap, "m2"});
+  }
   for (const balance::LineLength& row : balance::whole_beds(moved.lengths)) {
     quantities.push_back({"horizon." + row.name + ".length_before", row.length_before, "m"});
     quantities.push_back({"horizon." + row.name + ".length_after", row.length_after, "m"});

@@ -144,7 +144,9 @@ std::vector<RowCell> cells_of(const jigsaw::RestoredFault& fault) {
   return {{"gap_area", "m2", if_measured(fault.opening.gap)},
           {"overlap_area", "m2", if_measured(fault.opening.overlap)},
           {"dip_restored", "deg", fault.dip},
-          {"shortening", "m", fault.shortening}};
+          {"shortening", "m", fault.shortening},
+          {"misfit", "m", fault.misfit},
+          {"slide_error", "m", fault.slide_error}};
 }
 
 std::vector<RowCell> cells_of(const balance::LineLength& row) {

@@ -23,6 +23,7 @@ void add_blockwise_quantities(const model::Model& model, std::vector<scenario::Q
   for (const balance::UnitRow& row : made.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   for (const jigsaw::BlockRow& row : made.rows) {
     if (row.shift) quantities.push_back({"block." + row.name + ".shift", *row.shift, "m"});
+    if (row.shift_error) quantities.push_back({"block." + row.name + ".shift_error", *row.shift_error, "m"});
     if (row.raise) quantities.push_back({"block." + row.name + ".raise", *row.raise, "m"});
     if (row.turn) quantities.push_back({"block." + row.name + ".turn", *row.turn, "deg"});
   }
@@ -54,11 +55,18 @@ void add_blockwise_tables(const model::Model& model, std::vector<scenario::DataT
   tables.push_back(row_table("units", "unit", made.units));
   scenario::DataTable blocks{"restored_blocks", {"block", "shift [m]"}, {}};
   if (is_rigid(made.how)) blocks.columns.insert(blocks.columns.end(), {"raise [m]", "turn [deg]"});
+  if (!made.ties.empty()) blocks.columns.emplace_back("shift_error [m]");
   for (const jigsaw::BlockRow& row : made.rows) {
     if (!row.shift) continue;
     blocks.rows.push_back({row.name, *row.shift});
     if (row.raise) blocks.rows.back().emplace_back(*row.raise);
     if (row.turn) blocks.rows.back().emplace_back(*row.turn);
+    if (!made.ties.empty()) {
+      if (row.shift_error)
+        blocks.rows.back().emplace_back(*row.shift_error);
+      else
+        blocks.rows.back().emplace_back(std::string());
+    }
   }
   tables.push_back(std::move(blocks));
   if (made.how.jigsaw) tables.push_back(row_table("restored_faults", "fault", made.faults));

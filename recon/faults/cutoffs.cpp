@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "recon/faults/pairing.h"
@@ -95,8 +96,11 @@ class Cutter {
       const bool trims = line[m.last].along <= from_first || length - line[m.first].along <= from_last;
       if (!trims) cross(horizon, line, m);
     }
-    end(horizon, line, at_first, LineEnd::First, !meetings.empty());
-    end(horizon, line, at_last, LineEnd::Last, !meetings.empty());
+    // Of a piece that is hardly longer than the tolerance only the nearer end is the fault's.
+    const bool stub = length <= 2.0 * tolerance_;
+    const bool first_is_nearer = geom::distance(own_, line.front().at) <= geom::distance(own_, line.back().at);
+    if (!stub || first_is_nearer) end(horizon, line, at_first, LineEnd::First, !meetings.empty());
+    if (!stub || !first_is_nearer) end(horizon, line, at_last, LineEnd::Last, !meetings.empty());
   }
 
   /// How far from its end a line may meet the fault and still end there. An end that is as near to the fault as the
@@ -188,15 +192,37 @@ class Cutter {
     if (gap > tolerance_ && crossed) return;  // told where it crosses
     if (gap > tolerance_) {
       if (tip.at.x <= box_.low.x + tolerance_ || tip.at.x >= box_.high.x - tolerance_) return;  // the section's end
-      made_.remarks.push_back(
-          fmt::format("horizon '{0}' stops {1:.4g} m short of fault '{2}' at {3}; tolerance = "
-                      "{1:.4g} (--tolerance) takes it to the fault",
-                      horizon.name, std::ceil(gap), fault_.name, text_at(tip.at)));
+      if (goes_on(horizon, tip, gap)) return;
+      const std::string advice =
+          std::ceil(gap) < 0.5 * distance_to_other_beds(horizon, tip.at)
+              ? fmt::format("tolerance = {:.4g} (--tolerance) takes it to the fault", std::ceil(gap))
+              : "draw it to the fault; other beds lie too near for a tolerance that reaches so far";
+      made_.remarks.push_back(fmt::format("horizon '{}' stops {:.4g} m short of fault '{}' at {}; {}", horizon.name,
+                                          std::ceil(gap), fault_.name, text_at(tip.at), advice));
       return;
     }
     const geom::Point before = first ? line[1].at : line[line.size() - 2].at;
     const geom::Point at = reached(before, tip.at);
     add(horizon, *tip.wall, at, which, geom::distance(tip.at, at), false);
+  }
+
+  /// Whether another piece of the bed begins nearer than the fault is, on the same wall: a gap in the bed.
+  [[nodiscard]] bool goes_on(const section::Horizon& horizon, const Vertex& tip, double gap) const {
+    return std::any_of(section_.horizons.begin(), section_.horizons.end(), [&](const section::Horizon& other) {
+      if (&other == &horizon || whole_name(other) != whole_name(horizon)) return false;
+      const auto follows = [&](geom::Point p) {
+        return geom::distance(p, tip.at) < gap && kinematics::wall_of(fault_.path, p) == tip.wall;
+      };
+      return follows(other.line.points.front()) || follows(other.line.points.back());
+    });
+  }
+
+  [[nodiscard]] double distance_to_other_beds(const section::Horizon& horizon, geom::Point p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const section::Horizon& other : section_.horizons) {
+      if (whole_name(other) != whole_name(horizon)) least = std::min(least, geom::distance(other.line, p));
+    }
+    return least;
   }
 
   /// Of several faults the nearest takes an end.
@@ -280,7 +306,7 @@ class Cutter {
       greatest = std::max(greatest, std::abs(*pair.separation));
       made_.sense = Sense::None;
     }
-    if (made_.sense == Sense::Unknown || greatest <= rounding_) return;
+    if (made_.sense == Sense::Unknown || greatest <= told_) return;
     made_.sense = sum > 0.0 ? Sense::Normal : Sense::Reverse;
   }
 

@@ -9,7 +9,7 @@ namespace recon::faults {
 namespace {
 
 /// Of the distances along a fault: separations that are no greater are none.
-constexpr double rounding = 1e-9;
+constexpr double rounding = 1e-5;
 
 /// Jumps are steps that are more than three times the median one and 2 % of the greatest separation. Of two jumps a
 /// step is one that is more than three times the other, a metre along the fault, and 10 % of the greatest.

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "recon/faults/outline.h"
+#include "recon/section/crossings.h"
 #include "shared/base/text.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/place.h"
@@ -113,6 +114,17 @@ base::Result<void> find_hanging_wall(section::HangingWall said, Fault& fault) {
   return {};
 }
 
+/// What has two sides does not cross itself.
+base::Result<void> check_simple(const Fault& fault) {
+  const std::vector<section::SelfCrossing> crossings = section::self_crossings(fault.path.line);
+  if (crossings.empty()) return {};
+  return refusal(
+      fault, crossings.front().place,
+      fmt::format("the fault crosses itself or runs back on itself ({} places), so that it has no two walls; "
+                  "take the loop out of the line, or give its parts two names if they are two faults",
+                  crossings.size()));
+}
+
 base::Result<std::vector<Fault>> drawn_faults(const section::Section& section, double tolerance) {
   std::vector<std::pair<std::string, std::vector<const section::SectionLine*>>> wholes;
   for (const section::SectionLine& line : section.lines) {
@@ -133,6 +145,7 @@ base::Result<std::vector<Fault>> drawn_faults(const section::Section& section, d
       fault.path = path_of(std::move(one.line));
       fault.own_to = geom::length(fault.path.line);
       for (const auto* piece : one.pieces) fault.pieces.push_back(piece->id);
+      DOBRA_TRY_VOID(check_simple(fault));
       DOBRA_TRY_VOID(find_hanging_wall(one.pieces.front()->hanging_wall, fault));
       faults.push_back(std::move(fault));
     }

@@ -50,8 +50,8 @@ struct FaultOptions {
 double tolerance_of(const section::Section& section, const FaultOptions& options);
 
 /// All faults, the youngest first; those without an order behind, as the section has them.
-/// @error BadSection with the place: a hanging wall said to be on a side that the fault does not have; ages that
-///        contradict the cutting.
+/// @error BadSection with the place: a fault that crosses itself; a hanging wall said to be on a side that the fault
+///        does not have; ages that contradict the cutting.
 base::Result<std::vector<Fault>> faults_of(const section::Section& section, const FaultOptions& options);
 
 /// @error BadSection: no fault, or several pieces that do not meet, have this name.

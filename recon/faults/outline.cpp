@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -196,6 +197,46 @@ std::string remark_on(const section::Section& section, const MissingRock& place)
       find_horizon(section, place.horizon)->name, place.at.x, place.at.y);
 }
 
+/// Rock over or under all beds, which faults alone enclose.
+void remark_on_faults_alone(const section::SectionFaces& faces, const section::Section& section, Outline& outline) {
+  for (const section::RockUnit& unit : faces.units) {
+    if ((unit.top && unit.base) || unit.contours.empty() || unit.area <= 1e-6 * faces.area) continue;
+    const section::Horizon& bed = section.horizons[unit.top ? *unit.top : *unit.base];
+    const geom::Point at = unit.contours.front().points.front();
+    outline.remarks.push_back(
+        fmt::format("{} horizon '{}' {:.6g} m2 count as rock that no other horizon but faults close off, by ({:.6g}, "
+                    "{:.6g}); give a border ([[input.border]]) if blocks are to end at the horizon",
+                    unit.top ? "under" : "over", bed.name, unit.area, at.x, at.y));
+  }
+}
+
+/// Ends of beds at the section's side that stand back from those of their neighbours.
+void remark_on_notches(const section::Section& section, const std::vector<geom::Polyline>& faults, double tolerance,
+                       Outline& outline) {
+  for (const section::LineEnd side : {section::LineEnd::First, section::LineEnd::Last}) {
+    std::vector<std::pair<const section::Horizon*, geom::Point>> ends;
+    for (const std::size_t i : stack_order(section)) {
+      const section::Horizon& horizon = section.horizons[i];
+      if (!is_outermost(section, horizon, side)) continue;
+      const std::vector<geom::Point>& points = horizon.line.points;
+      const geom::Point end = side == section::LineEnd::First ? points.front() : points.back();
+      const auto near = [&](const geom::Polyline& fault) { return geom::distance(fault, end) <= tolerance; };
+      if (std::none_of(faults.begin(), faults.end(), near)) ends.emplace_back(&horizon, end);
+    }
+    for (std::size_t i = 1; i + 1 < ends.size(); ++i) {
+      const geom::Vector way = ends[i + 1].second - ends[i - 1].second;
+      const double twice = geom::cross(way, ends[i].second - ends[i - 1].second);
+      const double depth = (side == section::LineEnd::First ? twice : -twice) / geom::length(way);
+      if (!(depth > 2.0 * tolerance)) continue;
+      outline.remarks.push_back(
+          fmt::format("horizon '{}' ends {:.4g} m inside the section's side at ({:.6g}, {:.6g}): the rock ends at "
+                      "straight lines to that place, which leave out {:.6g} m2; draw it to the side, or give a border "
+                      "([[input.border]])",
+                      ends[i].first->name, depth, ends[i].second.x, ends[i].second.y, 0.5 * std::abs(twice)));
+    }
+  }
+}
+
 /// Adds the rock of cells that the faces leave open.
 base::Result<void> close_cells(const section::Section& section, std::vector<Fault> faults,
                                const std::vector<MissingRock>& places, double tolerance, Outline& outline) {
@@ -238,6 +279,8 @@ base::Result<Outline> outline_of(const section::Section& section, std::vector<Fa
 
   std::vector<geom::Polyline> fault_lines;
   for (const Fault& fault : faults) fault_lines.push_back(own_line(fault));
+  remark_on_faults_alone(faces, tidy, made);
+  remark_on_notches(tidy, fault_lines, tolerance_of(section, options), made);
   const MissingRocks look(tidy, fault_lines);
   std::vector<MissingRock> open = look.beneath(faces.bare, made.rings);
   const bool air = std::any_of(section.lines.begin(), section.lines.end(), [](const section::SectionLine& line) {

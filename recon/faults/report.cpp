@@ -92,6 +92,10 @@ base::Result<FaultReport> report_faults(const section::Section& section, const F
   remark_on_crossings(report.faults, report.tolerance, report.remarks);
   DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
   report.blocks = blocks.all();
+  for (const Fault& fault : report.faults) {
+    const auto wall = blocks.hanging_wall(fault);
+    if (!wall && !fault.undecided && !report.blocks.empty()) report.remarks.push_back(to_string(wall.error()));
+  }
   if (!report.blocks.empty()) {
     for (std::string& remark : blocks.remarks_on_beds(section)) report.remarks.push_back(std::move(remark));
   } else {

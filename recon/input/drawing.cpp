@@ -112,8 +112,20 @@ base::Result<Item> item_of(const section::Section& section, const scene::Pick& p
   return refuse(pick.layer, "this is drawn by the program and cannot be edited; edit horizons, faults and lines");
 }
 
-/// All lines of the files of many lines, as tables of their own.
-base::Result<scenario::Document> with_files_taken_in(scenario::Document document) {
+/// The line as an entry of its table.
+scenario::Table entry_of(const std::string& name, const std::string& piece_of, section::BedRole role,
+                         std::vector<geom::Point> points) {
+  scenario::Table entry;
+  entry.set("name", name);
+  entry.set("points", std::move(points));
+  if (!piece_of.empty()) entry.set("piece_of", piece_of);
+  if (role == section::BedRole::Growth) entry.set("role", std::string("growth"));
+  return entry;
+}
+
+/// All lines of the files of many lines, as tables of their own; horizons that reading has joined, as the section has
+/// them.
+base::Result<scenario::Document> with_files_taken_in(scenario::Document document, const section::Section& section) {
   auto input = scenario::from_table<SectionInput>(document.input);
   if (input.lines.empty()) return document;
   DOBRA_TRY(const ReadSettings settings, read_settings(input));
@@ -122,13 +134,21 @@ base::Result<scenario::Document> with_files_taken_in(scenario::Document document
   for (const LinesInput& wanted : input.lines) {
     DOBRA_TRY(const auto work, work_of_file(wanted, (document.folder() / wanted.file).string(), settings));
     DOBRA_TRY(const Import import, import_lines(work.features));
+    std::set<std::string> joined;
     for (const ImportedLine& line : import.lines) {
-      scenario::Table entry;
-      entry.set("name", line.name);
-      entry.set("points", coordinates.in_document(line.line, {}));
-      if (!line.piece_of.empty() && (line.table == "horizon" || line.table == "fault"))
-        entry.set("piece_of", line.piece_of);
-      if (line.role == section::BedRole::Growth) entry.set("role", std::string("growth"));
+      const bool bed = line.table == "horizon";
+      const std::string& whole = line.piece_of.empty() ? line.name : line.piece_of;
+      if (bed && wanted.join_gaps > 0.0) {
+        if (!joined.insert(whole).second) continue;
+        for (const section::Horizon& piece : section.horizons) {
+          if (whole_name(piece) == whole)
+            made[line.table].push_back(
+                entry_of(piece.name, piece.piece_of, piece.role, coordinates.in_document(piece.line, {})));
+        }
+        continue;
+      }
+      scenario::Table entry = entry_of(line.name, bed || line.table == "fault" ? line.piece_of : "", line.role,
+                                       coordinates.in_document(line.line, {}));
       if (line.order > 0) entry.set("order", std::int64_t{line.order});
       if (line.hanging_wall != section::HangingWall::Auto)
         entry.set("hanging_wall", std::string(section::hanging_wall_name(line.hanging_wall)));
@@ -193,7 +213,7 @@ base::Result<scenario::Document> with_lines_edited(scenario::Document document, 
     DOBRA_TRY(const Item item, item_of(section, edit.pick));
     Tables tables = tables_of(document.input, item.table);
     if (named(tables, item.name) == tables.end()) {
-      DOBRA_TRY(document, with_files_taken_in(std::move(document)));
+      DOBRA_TRY(document, with_files_taken_in(std::move(document), section));
       tables = tables_of(document.input, item.table);
     }
     if (named(tables, item.name) == tables.end()) {

@@ -250,6 +250,13 @@ std::vector<HorizonInput>& list_of(SectionInput& input, const std::string& table
 
 }  // namespace
 
+bool is_horizon(const io::lines::Feature& feature) {
+  if (feature.type != io::lines::FeatureType::Lines) return false;
+  const auto same = [&](const TableOfKind& t) { return io::lines::known_kind(feature.kind) == t.kind; };
+  const auto found = std::find_if(tables.begin(), tables.end(), same);
+  return feature.kind.empty() || (found != tables.end() && std::string_view(found->table) == "horizon");
+}
+
 base::Result<Import> import_lines(const std::vector<io::lines::Feature>& features) { return Importer(features).run(); }
 
 base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSettings& settings,
@@ -269,6 +276,7 @@ base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSet
       made.piece_of = std::move(line.piece_of);
       made.role = line.role;
       made.unit = wanted.unit;
+      if (line.table == "horizon") made.join_gaps = wanted.join_gaps;
       made.placed = PlacedLine{std::move(line.line), work.trace};
       if (line.table == "fault") {
         FaultInput& fault = input.faults.emplace_back(std::move(made));

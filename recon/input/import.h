@@ -28,6 +28,9 @@ struct Import {
   std::vector<std::string> remarks;
 };
 
+/// A line that is, or is a piece of, a horizon.
+bool is_horizon(const dobra::io::lines::Feature& feature);
+
 /// Lines of one name that are horizons, and the parts of one line, are pieces of a horizon; faults likewise. A line
 /// without a kind is a horizon, a polygon a unit, points a marker. Holes of polygons are left out, with a remark.
 /// @error BadFormat with file, line and a suggestion: an unknown kind; a polygon that says that it is a line; an order

@@ -11,6 +11,7 @@
 #include "recon/input/colors.h"
 #include "recon/input/import.h"
 #include "recon/input/items.h"
+#include "recon/input/join.h"
 #include "recon/input/line_file.h"
 #include "recon/input/mend.h"
 #include "recon/input/topography.h"
@@ -221,7 +222,7 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
 
 /// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there.
 void tell_open_ends(const section::Section& section, std::vector<std::string>& remarks) {
-  const double near = 1e-9 * box_of(section).diagonal();
+  const double near = 1e-6 * box_of(section).diagonal();  // what files round
   for (const section::Horizon& horizon : section.horizons) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       if (is_outermost(section, horizon, end)) continue;
@@ -286,6 +287,21 @@ base::Result<void> read_colors(const std::string& path, ReadSection& read) {
   return {};
 }
 
+/// Joins what the inputs of horizons ask for. @pre nothing refers to ids of horizons yet.
+base::Result<void> join_gaps(const std::vector<HorizonInput>& horizons, ReadSection& read) {
+  std::vector<JoinWish> wishes;
+  for (const HorizonInput& horizon : horizons) {
+    if (horizon.join_gaps > 0.0)
+      wishes.push_back({horizon.piece_of.empty() ? horizon.name : horizon.piece_of, horizon.join_gaps});
+  }
+  if (wishes.empty()) return {};
+  DOBRA_TRY(JoinedPieces joined, join_horizons(std::move(read.section), wishes));
+  read.section = std::move(joined.section);
+  for (std::size_t i = 0; i < read.section.horizons.size(); ++i) read.section.horizons[i].id = section::HorizonId(i);
+  for (std::string& remark : joined.remarks) read.remarks.push_back(std::move(remark));
+  return {};
+}
+
 }  // namespace
 
 base::Result<ReadSection> read_section(const SectionInput& given, const dobra::scenario::Context& context,
@@ -298,7 +314,8 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   std::optional<dobra::io::lines::Trace> plane;
   for (std::size_t i = 0; i < input.horizons.size(); ++i) {
     DOBRA_TRY_VOID(progress.check());
-    const HorizonInput& wanted = input.horizons[i];
+    HorizonInput wanted = input.horizons[i];
+    wanted.join_gaps = 0.0;  // its pieces are joined when the faults between them are known
     DOBRA_TRY(ReadPieces read, read_pieces(wanted, settings, context));
     DOBRA_TRY_VOID(check_planes(wanted, read, settings, plane));
     for (const std::string& remark : read.remarks) {
@@ -318,6 +335,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
+  DOBRA_TRY_VOID(join_gaps(input.horizons, result));
   if (input.horizons_from_units) DOBRA_TRY_VOID(add_horizons_of_units(input.share_edges, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));
   tell_open_ends(result.section, result.remarks);

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "recon/faults/between.h"
 #include "recon/section/crossings.h"
 #include "recon/section/section_faces.h"
 #include "shared/base/text.h"
+#include "shared/geom/intersect.h"
 #include "shared/geom/place.h"
 #include "shared/io/formats/repair.h"
 
@@ -36,39 +40,146 @@ base::Result<void> check_names(const section::Section& section, const std::vecto
   return {};
 }
 
-/// What the repair of files joins; each line that is left has the id and the role of the first of its pieces.
-base::Result<void> join(const std::string& whole, double tolerance, Pieces& pieces, std::vector<Join>& joins) {
-  std::vector<io::lines::Feature> features;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    io::lines::Feature feature;
-    feature.kind = "horizon";
-    feature.name = whole;
-    feature.parts = {std::move(pieces[i].line)};
-    feature.properties = {{"piece", static_cast<std::int64_t>(i)}};
-    features.push_back(std::move(feature));
+using faults::PieceEnd;
+using section::LineEnd;
+
+/// Of the distance between two ends: a line that goes back by more, along a piece, runs over what is drawn already.
+constexpr double doubled_back = 0.5;
+
+/// The direction in which a piece leaves by its end, over about a length.
+geom::Vector way_out(const PieceEnd& end, double length) {
+  const geom::Polyline line = end.end == LineEnd::First ? geom::reversed(end.piece.line) : end.piece.line;
+  const geom::Point tip = line.points.back();
+  std::size_t i = line.points.size() - 2;
+  while (i > 0 && geom::distance(line.points[i], tip) < length) --i;
+  return geom::normalised(tip - line.points[i]);
+}
+
+/// Joins the pieces of one horizon.
+class Joiner {
+ public:
+  Joiner(JoinWish wish, const std::optional<faults::FaultsBetween>& faults, Pieces& pieces, JoinedPieces& joined)
+      : wish_(std::move(wish)), faults_(faults), pieces_(pieces), joined_(joined) {}
+
+  base::Result<void> run() {
+    const Pieces before = pieces_;
+    std::vector<io::lines::Feature> features;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      io::lines::Feature feature;
+      feature.kind = "horizon";
+      feature.name = wish_.horizon;
+      feature.parts = {before[i].line};
+      feature.properties = {{"piece", static_cast<std::int64_t>(i)}};
+      features.push_back(std::move(feature));
+    }
+    io::formats::RepairOptions options;
+    options.gaps = wish_.tolerance;
+    options.may_join = [&](const io::formats::PartEnd& a, const io::formats::PartEnd& b) {
+      const auto end_of = [&](const io::formats::PartEnd& end) -> PieceEnd {
+        return {before[number_of(end.feature)], end.last ? LineEnd::Last : LineEnd::First};
+      };
+      return may_join(end_of(a), end_of(b));
+    };
+    DOBRA_TRY_VOID(io::formats::repair(features, options));
+    take(before, features);
+    return {};
   }
-  io::formats::RepairOptions options;
-  options.gaps = tolerance;
-  DOBRA_TRY(const std::vector<io::formats::Repair> repairs, io::formats::repair(features, options));
-  const double same_place = 1e-6 * tolerance;  // as the repair has it
-  for (const io::formats::Repair& repair : repairs)
-    joins.push_back({whole, repair.at, repair.moved <= same_place ? 0.0 : repair.moved});
-  Pieces left;
-  for (io::lines::Feature& feature : features) {
-    for (geom::Polyline& line : feature.parts) {
-      section::Horizon piece = pieces[static_cast<std::size_t>(std::get<std::int64_t>(feature.properties[0].second))];
-      const bool turned = line.points.front().x > line.points.back().x;
-      piece.line = turned ? geom::reversed(std::move(line)) : std::move(line);
-      left.push_back(std::move(piece));
+
+ private:
+  static std::size_t number_of(const io::lines::Feature& feature) {
+    return static_cast<std::size_t>(std::get<std::int64_t>(feature.properties[0].second));
+  }
+
+  bool may_join(const PieceEnd& a, const PieceEnd& b) {
+    const double gap = geom::distance(a.at(), b.at());
+    const auto between = faults_ ? faults_->of(a, b) : std::nullopt;
+    if (between && between->displaces) {
+      refuse(a, b,
+             fmt::format("fault '{}' lies between them and still displaces the bed by {:.4g} m along it; move its "
+                         "hanging wall back first",
+                         between->fault, between->separation));
+      return false;
+    }
+    Join join{wish_.horizon, a.at(), gap <= 1e-6 * wish_.tolerance ? 0.0 : gap};
+    const double back = join.gap > 0.0 ? std::max(-geom::dot(way_out(a, gap), b.at() - a.at()),
+                                                  -geom::dot(way_out(b, gap), a.at() - b.at()))
+                                       : 0.0;
+    const bool overlap = back > doubled_back * gap && !between;
+    if (overlap && !cross(a.piece.line, b.piece.line)) {
+      refuse(a, b,
+             fmt::format("the pieces overlap by {:.4g} m, so that the line would turn back on itself; cut one of "
+                         "them there, or draw the fault that lies between them",
+                         back));
+      return false;
+    }
+    // Pieces that cross are left as they are, and their line is refused.
+    if (!overlap && back > 1e-9 * gap) midpoints_.emplace_back(a.at(), b.at());
+    joined_.remarks.push_back(
+        fmt::format("horizon '{}': two pieces joined over a gap of {:.6g} m, at ({:.6g}, {:.6g}){}", wish_.horizon,
+                    join.gap, join.at.x, join.at.y,
+                    between && between->separation > 1e-3 * wish_.tolerance
+                        ? fmt::format(", across fault '{}', along which its cutoffs are {:.4g} m apart", between->fault,
+                                      between->separation)
+                        : ""));
+    joined_.joins.push_back(std::move(join));
+    return true;
+  }
+
+  void refuse(const PieceEnd& a, const PieceEnd& b, const std::string& why) {
+    joined_.remarks.push_back(
+        fmt::format("horizon '{}': the ends of two pieces at ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}) are not joined: {}",
+                    wish_.horizon, a.at().x, a.at().y, b.at().x, b.at().y, why));
+  }
+
+  static bool cross(const geom::Polyline& a, const geom::Polyline& b) {
+    for (std::size_t i = 0; i < a.segment_count(); ++i) {
+      for (std::size_t k = 0; k < b.segment_count(); ++k) {
+        if (geom::intersect(a.segment(i), b.segment(k)).kind != geom::IntersectionKind::None) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Each line that is left has the id and the role of the first of its pieces.
+  void take(const Pieces& before, std::vector<io::lines::Feature>& features) {
+    pieces_.clear();
+    for (io::lines::Feature& feature : features) {
+      for (geom::Polyline& line : feature.parts) {
+        section::Horizon piece = before[number_of(feature)];
+        for (const auto& [a, b] : midpoints_) meet_halfway(a, b, line.points);
+        const bool turned = line.points.front().x > line.points.back().x;
+        piece.line = turned ? geom::reversed(std::move(line)) : std::move(line);
+        pieces_.push_back(std::move(piece));
+      }
+    }
+    if (pieces_.size() > 1) return;
+    pieces_.front().name = wish_.horizon;
+    pieces_.front().piece_of.clear();
+  }
+
+  /// Ends that lie a little past each other become one point, so that the line does not turn back.
+  static void meet_halfway(geom::Point a, geom::Point b, std::vector<geom::Point>& points) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const bool here = (points[i] == a && points[i + 1] == b) || (points[i] == b && points[i + 1] == a);
+      if (!here || points.size() < 3) continue;
+      const geom::Point middle = geom::midpoint(a, b);
+      const double half = 0.5 * geom::distance(a, b);
+      std::size_t from = i, to = i + 1;
+      while (from > 1 && geom::distance(points[from - 1], points[i]) <= half) --from;
+      while (to + 2 < points.size() && geom::distance(points[to + 1], points[i + 1]) <= half) ++to;
+      points[from] = middle;
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                   points.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+      return;
     }
   }
-  if (left.size() == 1) {
-    left.front().name = whole;
-    left.front().piece_of.clear();
-  }
-  pieces = std::move(left);
-  return {};
-}
+
+  JoinWish wish_;
+  const std::optional<faults::FaultsBetween>& faults_;
+  Pieces& pieces_;
+  JoinedPieces& joined_;
+  std::vector<std::pair<geom::Point, geom::Point>> midpoints_;
+};
 
 base::Result<void> check_lines(const Pieces& pieces) {
   for (const section::Horizon& piece : pieces) {
@@ -82,7 +193,9 @@ base::Result<void> check_lines(const Pieces& pieces) {
   return {};
 }
 
-std::string nearest_ends(const std::string& whole, const Pieces& pieces) {
+}  // namespace
+
+std::string in_pieces(const std::vector<section::Horizon>& pieces) {
   double least = -1.0;
   geom::Point at;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -96,43 +209,46 @@ std::string nearest_ends(const std::string& whole, const Pieces& pieces) {
       }
     }
   }
-  return fmt::format("horizon '{}' is still in {} pieces; their nearest ends are {:.6g} m apart, at ({:.6g}, {:.6g})",
-                     whole, pieces.size(), least, at.x, at.y);
+  return fmt::format("in {} pieces; their nearest ends are {:.6g} m apart, at ({:.6g}, {:.6g})", pieces.size(), least,
+                     at.x, at.y);
 }
 
-}  // namespace
-
-base::Result<JoinedPieces> join_pieces(section::Section section, const JoinParams& params) {
-  DOBRA_TRY_VOID(check_names(section, params.horizon));
-  const double tolerance = params.tolerance.value_or(0.005 * box_of(section).diagonal());
+base::Result<JoinedPieces> join_horizons(section::Section section, const std::vector<JoinWish>& wishes) {
   JoinedPieces joined;
+  std::optional<faults::FaultsBetween> faults;
+  const auto is_fault = [](const section::SectionLine& line) { return line.kind == section::LineKind::Fault; };
+  if (std::any_of(section.lines.begin(), section.lines.end(), is_fault)) {
+    DOBRA_TRY(faults, faults::FaultsBetween::make(section));
+  }
   std::vector<section::Horizon> all;
   for (const std::string& whole : whole_names(section)) {
     Pieces pieces;
     for (section::Horizon& horizon : section.horizons) {
       if (whole_name(horizon) == whole) pieces.push_back(horizon);
     }
-    const bool asked = params.horizon.empty() ||
-                       std::find(params.horizon.begin(), params.horizon.end(), whole) != params.horizon.end();
-    if (asked && pieces.size() > 1) {
-      const std::size_t before = joined.joins.size();
-      DOBRA_TRY_VOID(join(whole, tolerance, pieces, joined.joins));
+    const auto wish = std::find_if(wishes.begin(), wishes.end(), [&](const JoinWish& w) { return w.horizon == whole; });
+    if (wish != wishes.end() && pieces.size() > 1) {
+      DOBRA_TRY_VOID(Joiner(*wish, faults, pieces, joined).run());
       DOBRA_TRY_VOID(check_lines(pieces));
-      for (std::size_t i = before; i < joined.joins.size(); ++i) {
-        const Join& one = joined.joins[i];
-        joined.remarks.push_back(
-            fmt::format("horizon '{}': two pieces joined over a gap of {:.6g} m, at ({:.6g}, "
-                        "{:.6g})",
-                        whole, one.gap, one.at.x, one.at.y));
-      }
-      if (pieces.size() > 1) joined.remarks.push_back(nearest_ends(whole, pieces));
+      if (pieces.size() > 1)
+        joined.remarks.push_back(fmt::format("horizon '{}' is still {}", whole, in_pieces(pieces)));
     }
     all.insert(all.end(), std::make_move_iterator(pieces.begin()), std::make_move_iterator(pieces.end()));
   }
   section.horizons = std::move(all);
-  DOBRA_TRY(section::SectionFaces faces, faces_of(section));
-  section.faces = std::make_shared<const section::SectionFaces>(std::move(faces));
   joined.section = std::move(section);
+  return joined;
+}
+
+base::Result<JoinedPieces> join_pieces(section::Section section, const JoinParams& params) {
+  DOBRA_TRY_VOID(check_names(section, params.horizon));
+  const double tolerance = params.tolerance.value_or(0.005 * box_of(section).diagonal());
+  std::vector<JoinWish> wishes;
+  for (const std::string& whole : params.horizon.empty() ? whole_names(section) : params.horizon)
+    wishes.push_back({whole, tolerance});
+  DOBRA_TRY(JoinedPieces joined, join_horizons(std::move(section), wishes));
+  DOBRA_TRY(section::SectionFaces faces, faces_of(joined.section));
+  joined.section.faces = std::make_shared<const section::SectionFaces>(std::move(faces));
   return joined;
 }
 

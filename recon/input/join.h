@@ -34,15 +34,31 @@ struct Join {
   double gap = 0.0;     ///< ... and how far from it the other one began, m.
 };
 
+/// One horizon, the ends of whose pieces are joined if they are nearer than the tolerance, m.
+struct JoinWish {
+  std::string horizon;
+  double tolerance = 0.0;
+};
+
 struct JoinedPieces {
   section::Section section;
   std::vector<Join> joins;
-  std::vector<std::string> remarks;  ///< The joins, and horizons that still are in pieces, with their nearest ends.
+  /// The joins; ends that were not joined since a fault still displaces the bed between them, or since the pieces
+  /// overlap; horizons that still are in pieces, with their nearest ends.
+  std::vector<std::string> remarks;
 };
 
-/// The nearest ends first; an end is joined once. A horizon that is whole again has its own name.
-/// @error BadSection: no such horizon; a line that crosses itself where it was joined, with the place; those of
-///        faces_of().
+/// The nearest ends first; an end is joined once. A horizon that is whole again has its own name. Ends on opposite
+/// walls of a fault are joined only where its cutoffs of the bed coincide (faults/between.h). The section keeps its
+/// faces.
+/// @error BadSection: a line that crosses itself where it was joined, with the place; those of faults::faults_of.
+base::Result<JoinedPieces> join_horizons(section::Section section, const std::vector<JoinWish>& wishes);
+
+/// "in 3 pieces; their nearest ends are 2 m apart, at (200, -50)". @pre two pieces at least.
+std::string in_pieces(const std::vector<section::Horizon>& pieces);
+
+/// As join_horizons, with the faces of the section made again.
+/// @error BadSection: no such horizon; those of join_horizons and faces_of().
 base::Result<JoinedPieces> join_pieces(section::Section section, const JoinParams& params);
 
 }  // namespace recon::input

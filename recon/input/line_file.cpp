@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/input/import.h"
 #include "shared/base/text.h"
 #include "shared/io/formats/line_files.h"
 
@@ -84,11 +85,16 @@ base::Result<std::vector<const io::lines::Feature*>> chosen(const std::vector<io
 
 }  // namespace
 
+void leave_horizons_apart(io::formats::RepairOptions& repair) {
+  repair.may_join = [](const io::formats::PartEnd& a, const io::formats::PartEnd&) { return !is_horizon(a.feature); };
+}
+
 base::Result<io::formats::LineWork> work_of_file(const LinesInput& input, const std::string& path,
                                                  const ReadSettings& settings) {
   io::formats::LineOptions options = options_of(input, settings);
   if (!input.columns.empty()) options.text.columns = input.columns;
   options.text.name_columns = input.name_columns;
+  leave_horizons_apart(options.repair);
   DOBRA_TRY(options.kinds, dobra::scenario::lines::kind_rules(input.kind));
   return io::formats::read_any_lines(path, options);
 }

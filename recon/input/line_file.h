@@ -15,6 +15,9 @@ namespace recon::input {
 base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::string& path,
                                        const ReadSettings& settings);
 
+/// Gaps of horizons are left for join_horizons(), which knows the faults between their pieces.
+void leave_horizons_apart(dobra::io::formats::RepairOptions& repair);
+
 /// All lines of the file at `path`, with their kinds by the rules of `input`.
 /// @error BadValue: a rule that is none; those of read_any_lines.
 base::Result<dobra::io::formats::LineWork> work_of_file(const LinesInput& input, const std::string& path,

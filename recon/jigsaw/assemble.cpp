@@ -244,12 +244,37 @@ void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, const Targe
   }
 }
 
+/// The shifts are linear in what the ties ask for, and the faults speak independently.
+void add_shift_errors(Blockwise& made) {
+  if (made.ties.empty()) return;
+  std::vector<std::string> names;
+  for (const UnfoldedBlock& block : made.blocks) names.push_back(block.name);
+  std::vector<std::optional<double>> variances(names.size(), 0.0);
+  for (std::size_t fault = 0; fault < made.faults.size(); ++fault) {
+    const std::optional<double>& error = made.faults[fault].slide_error;
+    std::vector<Tie> ties = made.ties;
+    for (Tie& tie : ties) tie.apart = tie.fault == fault ? 1.0 : 0.0;
+    const auto moved = slide(names, made.pinned, ties);
+    for (std::size_t b = 0; moved && b < names.size(); ++b) {
+      const double by = (*moved)[b];
+      if (std::abs(by) <= 1e-9) continue;
+      variances[b] = variances[b] && error ? std::optional(*variances[b] + by * by * *error * *error) : std::nullopt;
+    }
+  }
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    for (BlockRow& row : made.rows) {
+      if (row.name == names[b] && variances[b]) row.shift_error = std::sqrt(*variances[b]);
+    }
+  }
+}
+
 }  // namespace
 
 void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls,
            const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made) {
   judge_beds(made);
   judge_offsets(cutoffs, target, made);
+  add_shift_errors(made);
   bool measured = false;
   for (std::size_t i = 0; i < made.faults.size(); ++i) {
     const RestoredFault& fault = made.faults[i];

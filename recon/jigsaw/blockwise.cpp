@@ -237,21 +237,24 @@ std::vector<FacingWalls> measured_walls(const FaultSetting& setting, Blockwise& 
 template <class Place>
 base::Result<void> slide_blocks(FaultSetting setting, std::size_t pinned, Fit fit, const Place& place,
                                 Blockwise& made) {
-  std::vector<std::size_t> of_ties;
-  std::vector<Tie> ties;
+  std::vector<Tie>& ties = made.ties;
+  made.pinned = pinned;
   if (fit == Fit::Walls) {
     DOBRA_TRY(const std::vector<FacingWalls> facing, facing_walls(setting, made.blocks));
     ties = ties_of_walls(facing, made.blocks, setting.size);
   } else {
-    ties = ties_of_top(setting, made.blocks, of_ties);
+    ties = ties_of_top(setting, made.blocks);
   }
   DOBRA_TRY(const std::vector<double> shifts, slide(names_of(made.blocks), pinned, ties));
   for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].slid = shifts[b];
   DOBRA_TRY_VOID(place(setting));
-  made.faults = restored_faults(setting, measured_walls(setting, made));
-  for (std::size_t i = 0; i < of_ties.size(); ++i) {
-    const double apart = shifts[ties[i].right] - shifts[ties[i].left] - ties[i].apart;
-    std::optional<double>& left_apart = made.faults[of_ties[i]].left_apart;
+  const std::vector<FacingWalls> facing = measured_walls(setting, made);
+  made.faults = restored_faults(setting, facing);
+  add_slide_errors(facing, made.blocks, setting.size, made.faults);
+  if (fit == Fit::Walls) return {};
+  for (const Tie& tie : ties) {
+    const double apart = shifts[tie.right] - shifts[tie.left] - tie.apart;
+    std::optional<double>& left_apart = made.faults[tie.fault].left_apart;
     left_apart = std::max(left_apart.value_or(0.0), std::abs(apart));
   }
   return {};

@@ -15,6 +15,9 @@ struct BlockRow {
   std::optional<double> shift;  ///< m towards +x after unfolding; nothing: the block is not restored.
   /// Of a rigid block, by the middle of its beds, whose shift is then that: m upwards, and degrees anticlockwise.
   std::optional<double> raise = std::nullopt, turn = std::nullopt;
+  /// Of the shift of a block that has slid, one standard deviation, m, by the slide errors of the faults between it and
+  /// the pinned one; nothing where one of these is not known.
+  std::optional<double> shift_error = std::nullopt;
 };
 
 /// The section's width along the top, m.
@@ -31,6 +34,8 @@ struct Blockwise {
   BlockwiseParams how;
   std::vector<Part> parts;                   ///< The blocks that the section is cut into.
   std::vector<UnfoldedBlock> blocks;         ///< Those of them that are unfolded.
+  std::vector<Tie> ties;                     ///< Between those, by which they have slid.
+  std::size_t pinned = 0;                    ///< The one of them that stays.
   std::vector<BlockRow> rows;                ///< Of all blocks of the section.
   std::vector<RestoredFault> faults;         ///< Of a jigsaw: all faults.
   section::Section section;                  ///< After it.

@@ -126,6 +126,14 @@ std::optional<double> heave_of_top(const FaultSetting& setting, std::size_t faul
   return heave;
 }
 
+/// Walls count the less the deeper they lie, as the noise of the picks of the top makes them lean.
+Distance trusted_distance(const FacingWalls& f, const std::vector<UnfoldedBlock>& blocks, double size) {
+  const UnfoldedBlock& left = blocks[f.left];
+  const UnfoldedBlock& right = blocks[f.right];
+  const double known = std::hypot(left.noise, right.noise, known_walls * size);
+  return distance_of(f.walls, {left.datum, std::hypot(left.lean, right.lean) / known});
+}
+
 }  // namespace
 
 base::Result<std::vector<FacingWalls>> facing_walls(const FaultSetting& setting,
@@ -151,17 +159,13 @@ std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, const std
                                double size) {
   std::vector<Tie> ties;
   for (const FacingWalls& f : facing) {
-    const UnfoldedBlock& left = blocks[f.left];
-    const UnfoldedBlock& right = blocks[f.right];
-    const double known = std::hypot(left.noise, right.noise, known_walls * size);
-    const Distance apart = distance_of(f.walls, {left.datum, std::hypot(left.lean, right.lean) / known});
-    ties.push_back({f.left, f.right, apart.height / size, -apart.moment / apart.height});
+    const Distance apart = trusted_distance(f, blocks, size);
+    ties.push_back({f.left, f.right, apart.height / size, -apart.moment / apart.height, f.fault});
   }
   return ties;
 }
 
-std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks,
-                             std::vector<std::size_t>& faults) {
+std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks) {
   std::vector<Tie> ties;
   for (std::size_t fault = 0; fault < setting.cutoffs.size(); ++fault) {
     for (const faults::CutoffPair& pair : setting.cutoffs[fault].pairs) {
@@ -171,8 +175,7 @@ std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<Unfo
       const auto hanging = end_of_top(setting, fault, side, blocks, *pair.hanging_wall);
       const auto foot = end_of_top(setting, fault, other, blocks, *pair.footwall);
       if (!hanging || !foot || hanging->first == foot->first) continue;
-      ties.push_back({hanging->first, foot->first, 1.0, hanging->second.x - foot->second.x});
-      faults.push_back(fault);
+      ties.push_back({hanging->first, foot->first, 1.0, hanging->second.x - foot->second.x, fault});
     }
   }
   return ties;
@@ -185,12 +188,15 @@ std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const st
     row.name = setting.faults[fault].name;
     if (const auto heave = heave_of_top(setting, fault)) row.shortening = 0.0 - *heave;
     std::vector<std::vector<geom::Point>> means;
+    Distance apart;
     for (const FacingWalls& f : facing) {
       if (f.fault != fault) continue;
       row.measured = true;
       row.opening += opening_of(f.walls);
+      apart += distance_of(f.walls, {});
       means.push_back(mean_of(f.walls));
     }
+    if (row.measured) row.misfit = std::sqrt(apart.squared / apart.height);
     std::stable_sort(means.begin(), means.end(),
                      [](const auto& a, const auto& b) { return a.front().y < b.front().y; });
     for (std::vector<geom::Point>& mean : means) join_up(std::move(mean), row.line.points);
@@ -201,6 +207,17 @@ std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const st
     made.push_back(std::move(row));
   }
   return made;
+}
+
+void add_slide_errors(const std::vector<FacingWalls>& facing, const std::vector<UnfoldedBlock>& blocks, double size,
+                      std::vector<RestoredFault>& faults) {
+  for (std::size_t fault = 0; fault < faults.size(); ++fault) {
+    Distance apart;
+    for (const FacingWalls& f : facing) {
+      if (f.fault == fault) apart += trusted_distance(f, blocks, size);
+    }
+    if (faults[fault].measured) faults[fault].slide_error = std::sqrt(apart.squared / apart.height);
+  }
 }
 
 }  // namespace recon::jigsaw

@@ -38,9 +38,7 @@ base::Result<std::vector<FacingWalls>> facing_walls(const FaultSetting& setting,
 /// the less the deeper they lie, as the noise of the picks of the top makes them lean.
 std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, const std::vector<UnfoldedBlock>& blocks,
                                double size);
-/// @param faults  gets the fault of each.
-std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks,
-                             std::vector<std::size_t>& faults);
+std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks);
 
 /// A fault after the jigsaw.
 struct RestoredFault {
@@ -52,9 +50,15 @@ struct RestoredFault {
   std::optional<double> shortening;  ///< That the fault has brought the top, m: its heave; < 0: extension.
   std::optional<double> left_apart;  ///< Fit by the top: how far the ends of the top are still apart, m.
   double smaller_area = 0.0;         ///< m2, of the smallest block that it bounds.
+  std::optional<double> misfit;      ///< Between the walls, root of the mean square over z, m.
+  /// How unsure the slide along the datum is, one standard deviation, m: the misfit as the fit of walls trusts them.
+  std::optional<double> slide_error;
 };
 /// One for each fault.
 /// @param facing  of the blocks as they are placed at last.
 std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const std::vector<FacingWalls>& facing);
+/// Sets the slide errors of those that are measured.
+void add_slide_errors(const std::vector<FacingWalls>& facing, const std::vector<UnfoldedBlock>& blocks, double size,
+                      std::vector<RestoredFault>& faults);
 
 }  // namespace recon::jigsaw

@@ -17,8 +17,9 @@ namespace recon::jigsaw {
 /// weight * (X[right] - X[left] - apart)^2 is to be small.
 struct Tie {
   std::size_t left = 0, right = 0;
-  double weight = 1.0;  ///< > 0
-  double apart = 0.0;   ///< m
+  double weight = 1.0;    ///< > 0
+  double apart = 0.0;     ///< m
+  std::size_t fault = 0;  ///< That it speaks of.
 };
 
 /// A x = b for a symmetric positive definite A, by Cholesky's L L^T.

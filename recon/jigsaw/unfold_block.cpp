@@ -40,19 +40,20 @@ std::size_t missed(const Section& section, section::HorizonId top, const maps::C
   return count;
 }
 
-/// x of the place of the top, from its middle outwards, where a pin line meets most beds.
+/// x of the place of the top, from its middle outwards, where a pin line meets most beds and is least askew.
 base::Result<double> middle_pin(const Section& section, const unfold::SourceGrid& source) {
   DOBRA_TRY(const maps::Columns columns, maps::Columns::along(source.base));
   const std::vector<double> arcs = geom::arc_lengths(source.base);
   constexpr int places = 16;
   double best = 0.5;
-  std::size_t least = section.horizons.size();
-  for (int k = 0; k <= places && least > 0; ++k) {
+  std::pair least(section.horizons.size(), std::numbers::pi);
+  for (int k = 0; k <= places && least > std::pair(std::size_t{0}, unfold::askew_tolerance); ++k) {
     const double part = 0.5 + (k % 2 == 0 ? -1.0 : 1.0) * 0.5 * ((k + 1) / 2) / (places / 2 + 1);
     const std::size_t off =
         missed(section, source.top, columns, source.side == section::LayerSide::Below, part * arcs.back());
-    if (off >= least) continue;
-    least = off;
+    const double askew = std::max(unfold::askew_tolerance, unfold::askew_at(source.base, arcs, part * arcs.back()));
+    if (std::pair(off, askew) >= least) continue;
+    least = {off, askew};
     best = part;
   }
   return geom::point_at(source.base, arcs, best * arcs.back()).x;

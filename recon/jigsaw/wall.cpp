@@ -111,11 +111,20 @@ Distance distance_of(const WallPair& pair, const Trust& trust) {
       for (const auto& [part, share] : {std::pair(k, 1.0 / 6.0), {k + 0.5, 4.0 / 6.0}, {k + 1.0, 1.0 / 6.0}}) {
         const double w = share * step * weight(p.low + part * step);
         sum.height += w;
-        sum.moment += w * (low + (high - low) * (part / steps));
+        const double apart = low + (high - low) * (part / steps);
+        sum.moment += w * apart;
+        sum.squared += w * apart * apart;
       }
     }
   }
   return sum;
+}
+
+Distance& Distance::operator+=(const Distance& more) {
+  height += more.height;
+  moment += more.moment;
+  squared += more.squared;
+  return *this;
 }
 
 WallPair pair_of(const Branch& left, const Branch& right) {

@@ -43,9 +43,10 @@ struct Trust {
   double datum = 0.0;  ///< z from which depths are counted.
   double lean = 0.0;   ///< 1/m; 0: everywhere alike.
 };
-/// Integrals over z of the trust, m, and of the trust times x(right) - x(left), m2.
+/// Integrals over z of the trust, m, and of the trust times x(right) - x(left), m2, and times its square, m3.
 struct Distance {
-  double height = 0.0, moment = 0.0;
+  double height = 0.0, moment = 0.0, squared = 0.0;
+  Distance& operator+=(const Distance& more);
 };
 Distance distance_of(const WallPair& pair, const Trust& trust);
 

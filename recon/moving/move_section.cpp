@@ -175,7 +175,9 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
   // Also where blocks are named: a fault that parts nothing moves none.
   DOBRA_TRY(std::vector<faults::BlockId> chosen, blocks.hanging_wall(setting.fault));
   if (!params.block.empty()) {
+    const std::vector<faults::BlockId> wall = chosen;
     DOBRA_TRY(chosen, blocks.named(params.block));
+    moved.whole_wall = chosen == wall;
   }
   for (std::string& remark : blocks.remarks_on_beds(section)) moved.remarks.push_back(std::move(remark));
   std::vector<geom::Point> inside;
@@ -273,6 +275,22 @@ OpenedArea opened_along(const FaultPath& path, const kinematics::BlockMap& map, 
   add_areas(ring, least, opened.gap, opened.gap_at);
   add_areas(other, least, opened.overlap, opened.overlap_at);
   return opened;
+}
+
+/// The bed beside a cutoff, away from the fault.
+geom::Point beside(const Section& section, const faults::Cutoff& cutoff) {
+  const std::vector<geom::Point>& points = find_horizon(section, cutoff.piece)->line.points;
+  const bool first = cutoff.end == section::LineEnd::First;
+  return geom::midpoint(first ? points.front() : points.back(), first ? points[1] : points[points.size() - 2]);
+}
+
+/// Of a horizon which walls lie in what moves.
+void set_walls(const Section& section, const Setting& setting, const MovingPart& part, CutHorizon& cut) {
+  for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
+    if (!pair.hanging_wall || !pair.footwall || pair.hanging_wall->at != cut.hanging_wall) continue;
+    cut.hanging_moves = part.fate_of(beside(section, *pair.hanging_wall)) == Fate::Moves;
+    cut.foot_moves = part.fate_of(beside(section, *pair.footwall)) == Fate::Moves;
+  }
 }
 
 /// Cutoffs that left the fault as it was drawn.
@@ -396,6 +414,11 @@ void remark_on_misfit(Moved& moved) {
                     "root mean square",
                     closed.size(), root_mean_square(closed)));
   }
+  if (!moved.whole_wall)
+    moved.remarks.push_back(
+        "the blocks that move are not those of the hanging wall: what opens between them and their neighbours, and "
+        "what "
+        "they cover of these, is not measured");
   const OpenedArea& opened = moved.opened;
   if (opened.gap > 0.0) {
     moved.remarks.push_back(fmt::format("between the block and the fault {:.6g} m2 are left open, most at {}",
@@ -431,9 +454,11 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   DOBRA_TRY_VOID(set_after(setting, moved));
   DOBRA_TRY_VOID(move_lines(section, setting.fault.pieces, setting.tolerance, moved));
   DOBRA_TRY_VOID(move_tip(setting, moved));
-  for (const CutHorizon& cut : setting.cut)
+  for (CutHorizon cut : setting.cut) {
+    if (!moved.whole_wall) set_walls(section, setting, moved.before, cut);
     moved.misfit.push_back(misfit_of(cut, setting.path, params, moved.motion.map));
-  moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
+  }
+  if (moved.whole_wall) moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
   moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
   remark_on_ends(setting, moved);
   remark_on_cutoffs(section, setting, moved);

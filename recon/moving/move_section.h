@@ -36,8 +36,9 @@ struct Moved {
   std::vector<std::string> blocks;  ///< That moved; none for methods with a tip.
   section::Section section;         ///< After the move: ids and names of the section's, new ones for further pieces.
   std::vector<MovedPiece> pieces;
-  std::vector<Misfit> misfit;  ///< Of every horizon that the fault cuts on both walls.
-  OpenedArea opened;
+  std::vector<Misfit> misfit;                ///< Of every horizon that the fault cuts on both walls.
+  OpenedArea opened;                         ///< Of the whole hanging wall; of no meaning where other blocks move.
+  bool whole_wall = true;                    ///< Whether just the blocks of the hanging wall move.
   std::vector<balance::LineLength> lengths;  ///< One for each horizon before the move.
   std::vector<balance::UnitRow> units;       ///< Polygons, or without any what lies between horizons.
   std::vector<std::string> remarks;

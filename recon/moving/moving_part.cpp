@@ -163,21 +163,22 @@ geom::Polyline line_of(const std::vector<Cut>& cuts, const Range& range) {
   return line;
 }
 
-/// Ends that reach across the boundary by no more than `overshoot`. @return what was cut off at both ends, m.
+/// Ends that reach across the boundary by no more than `overshoot` and are shorter than what they belong to. @return
+/// what was cut off at both ends, m.
 std::pair<double, double> trim(const std::vector<Cut>& cuts, double overshoot, std::vector<Range>& ranges) {
   std::pair<double, double> trimmed{0.0, 0.0};
-  const auto settle = [&](Range& end, Fate next, double& cut_off) {
+  const auto settle = [&](Range& end, const Range& next, double& cut_off) {
     const double length = length_of(cuts, end.from, end.to);
-    if (length > overshoot) return;
-    if (next == Fate::Moves) {
+    if (length > overshoot || length > length_of(cuts, next.from, next.to)) return;
+    if (next.fate == Fate::Moves) {
       cut_off = length;
       end.to = end.from;
     } else {
       end.fate = Fate::Stays;
     }
   };
-  if (ranges.size() > 1) settle(ranges.front(), ranges[1].fate, trimmed.first);
-  if (ranges.size() > 1) settle(ranges.back(), ranges[ranges.size() - 2].fate, trimmed.second);
+  if (ranges.size() > 1) settle(ranges.front(), ranges[1], trimmed.first);
+  if (ranges.size() > 1) settle(ranges.back(), ranges[ranges.size() - 2], trimmed.second);
   std::erase_if(ranges, [](const Range& range) { return range.from == range.to; });
   join(ranges);
   return trimmed;

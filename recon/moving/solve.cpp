@@ -114,8 +114,10 @@ double first_slip(const Objective& objective, const MoveParams& params, std::spa
 
 Misfit misfit_of(const CutHorizon& cut, const FaultPath& path, const MoveParams& params,
                  const kinematics::BlockMap& map) {
-  const geom::Point moved = map.forward(cut.hanging_wall, kinematics::Wall::Hanging);
-  const geom::Point foot = map.tip() ? map.forward(cut.footwall, kinematics::Wall::Foot) : cut.footwall;
+  const auto carried = [&](geom::Point p, bool moves) { return moves ? map.forward(p, kinematics::Wall::Hanging) : p; };
+  const geom::Point moved = carried(cut.hanging_wall, cut.hanging_moves);
+  const geom::Point foot =
+      map.tip() ? map.forward(cut.footwall, kinematics::Wall::Foot) : carried(cut.footwall, cut.foot_moves);
   Misfit misfit{cut.horizon, 0.0, 0.0, 0.0};
   const kinematics::OnPath hanging = nearest(path, moved);
   const kinematics::OnPath standing = nearest(path, foot);

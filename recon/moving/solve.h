@@ -15,6 +15,8 @@ struct CutHorizon {
   geom::Point hanging_wall, footwall;  ///< Its cutoffs, m.
   double hanging_arc = 0.0;            ///< Where they stand on the path, m.
   double foot_arc = 0.0;
+  bool hanging_moves = true;  ///< Whether the block of that cutoff moves; else, and for the other wall, it stays.
+  bool foot_moves = false;
 };
 
 /// Metres, after the move.

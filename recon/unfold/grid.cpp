@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "recon/input/join.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/place.h"
@@ -144,7 +146,12 @@ base::Result<void> refuse_uncovered(const Beyond& beyond, const section::Horizon
                   "% of its width; lengthen the top, take another one, or set uncovered = \"continue\" "
                   "(--uncovered continue) to go on straight there{}",
                   top.name, beyond.distance, percent,
-                  top.piece_of.empty() ? "" : "; a section that faults part is restored block by block (--jigsaw)"),
+                  top.piece_of.empty()
+                      ? ""
+                      : fmt::format("; it is one piece of horizon '{}': join its pieces before (step join, join_gaps) "
+                                    "where no fault displaces it any more; a section that faults still part is "
+                                    "restored block by block (--jigsaw)",
+                                    top.piece_of)),
       place};
 }
 
@@ -212,6 +219,16 @@ std::string why_no_horizon(const section::Section& section, const std::string& n
   return base::did_you_mean(name, horizon_names(section));
 }
 
+std::string top_in_pieces(const std::string& whole, const std::vector<section::Horizon>& pieces) {
+  const std::string one =
+      fmt::format("to grid a part of the section alone, name the piece, such as '{}'", pieces.front().name);
+  if (pieces.size() == 1) return fmt::format("the top '{}' is one piece of a horizon; {}", whole, one);
+  return fmt::format(
+      "the top is one line, and horizon '{}' is {}; join them before (step join, or join_gaps, with a "
+      "tolerance above that), where faults displace the bed after moving it back; {}",
+      whole, input::in_pieces(pieces), one);
+}
+
 base::Result<const section::Horizon*> top_of(const section::Section& section, const GridParams& params) {
   if (section.horizons.empty()) {
     return base::Error{base::ErrorCode::BadSection,
@@ -222,12 +239,10 @@ base::Result<const section::Horizon*> top_of(const section::Section& section, co
   }
   const section::Horizon* top = params.top.empty() ? &section.horizons.front() : find_horizon(section, params.top);
   if (top != nullptr) return top;
-  for (const section::Horizon& horizon : section.horizons) {
-    if (horizon.piece_of != params.top) continue;
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("horizon '{}' is in pieces, and the top is one line; name the piece, such as '{}'",
-                                   params.top, horizon.name)};
-  }
+  std::vector<section::Horizon> pieces;
+  std::copy_if(section.horizons.begin(), section.horizons.end(), std::back_inserter(pieces),
+               [&](const section::Horizon& horizon) { return horizon.piece_of == params.top; });
+  if (!pieces.empty()) return base::Error{base::ErrorCode::BadSection, top_in_pieces(params.top, pieces)};
   return base::Error{base::ErrorCode::BadSection, fmt::format("there is no horizon '{}' to be the top{}", params.top,
                                                               why_no_horizon(section, params.top))};
 }

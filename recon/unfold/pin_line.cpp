@@ -70,6 +70,28 @@ std::optional<double> PinLine::meets(const geom::Polyline& line, const std::vect
   return best;
 }
 
+double askew_at(const geom::Polyline& top, const std::vector<double>& arcs, double arc) {
+  const double total = arcs.back();
+  const auto way = [&](double from, double to) {
+    return geom::normalised(geom::point_at(top, arcs, to) - geom::point_at(top, arcs, from));
+  };
+  const auto turn = [](geom::Vector a, geom::Vector b) { return std::atan2(geom::cross(a, b), geom::dot(a, b)); };
+  const double step = 1e-6 * total;
+  const geom::Vector here = way(std::max(arc - step, 0.0), std::min(arc + step, total));
+  double from = arc, to = arc;  // the stretch that dips as the top does here
+  for (std::size_t i = 0; i + 1 < arcs.size(); ++i) {
+    const bool holds = arcs[i] <= arc && arc <= arcs[i + 1];
+    if (!holds || std::abs(turn(here, geom::normalised(top.points[i + 1] - top.points[i]))) > askew_tolerance) continue;
+    from = std::min(from, arcs[i]);
+    to = std::max(to, arcs[i + 1]);
+  }
+  const double side = 0.05 * total;
+  if (from < side || to > total - side) return 0.0;
+  const double before = turn(way(from - side, from), here);
+  const double behind = turn(way(to, to + side), here);
+  return before * behind > 0.0 ? std::min(std::abs(before), std::abs(behind)) : 0.0;
+}
+
 double place_on(const maps::Columns& top, const maps::Located& located, geom::Point p) {
   const maps::Columns::Frame& frame = top.frame(located.at.column);
   const double x = geom::dot(p - frame.foot, frame.tangent);

@@ -2,6 +2,7 @@
 // The line that holds beds together: the normal of the top at the pin; at a corner of the top its rung.
 // Page: docs/algorithms/flexural_slip.md
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,12 @@ class PinLine {
 /// Where a point stands on the line of `top`: the arc length of the foot of its normal; beyond an end of the line so
 /// many metres beyond. Beside a corner it stands on the corner.
 double place_on(const maps::Columns& top, const maps::Located& located, geom::Point p);
+/// By how much the top at a pin dips off what it does on both sides, over a twentieth of its length each, radians >= 0:
+/// a slip of the pen, or a loop cut out, tilts what the pin line holds by that. 0 where the dip there lies between
+/// those of both sides, as in a fold. @param arcs  of the line's points, m.
+double askew_at(const geom::Polyline& top, const std::vector<double>& arcs, double arc);
+/// A pin that is more askew than this is told, and not taken by itself; radians.
+inline constexpr double askew_tolerance = 5.0 * std::numbers::pi / 180.0;
 /// Lengths below this part of a section's size are rounding.
 inline constexpr double bed_tolerance = 1e-11;
 

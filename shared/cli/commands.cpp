@@ -8,6 +8,7 @@
 #include "shared/base/text.h"
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/pictures.h"
+#include "shared/cli/remarks.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/scenario/table_text.h"
@@ -213,7 +214,9 @@ void tell(Session& session, const scenario::State& state) {
     session.detail(
         fmt::format("{} = {}{}{}", quantity.name, quantity.value, quantity.unit.empty() ? "" : " ", quantity.unit));
   }
-  for (const std::string& remark : session.program.remarks_of(state)) session.note(remark);
+  const std::vector<std::string> remarks = session.program.remarks_of(state);
+  const bool all = session.options.verbosity == Verbosity::Verbose;
+  for (const std::string& line : all ? remarks : shortened(remarks)) session.note(line);
 }
 
 Command run_command() {

@@ -124,7 +124,8 @@ Point end_point(const std::vector<Chain>& chains, std::size_t end) {
 }
 
 // For each end the one that it is joined to: nearest pairs first, no ring closed.
-std::vector<std::size_t> partners_of_ends(const std::vector<Chain>& chains, double tolerance) {
+template <class MayJoin>
+std::vector<std::size_t> partners_of_ends(const std::vector<Chain>& chains, double tolerance, const MayJoin& may_join) {
   std::vector<geom::Box> boxes;
   for (std::size_t end = 0; end < 2 * chains.size(); ++end) {
     geom::Box box;
@@ -154,6 +155,7 @@ std::vector<std::size_t> partners_of_ends(const std::vector<Chain>& chains, doub
     const std::size_t one = root(pair.a / 2);
     const std::size_t other = root(pair.b / 2);
     if (partners[pair.a] != no_end || partners[pair.b] != no_end || one == other) continue;
+    if (!may_join(pair.a, pair.b)) continue;
     partners[pair.a] = pair.b;
     partners[pair.b] = pair.a;
     group[other] = one;
@@ -207,7 +209,8 @@ void close_unit(lines::Feature& feature, double tolerance, const std::string& it
   if (lines::normalise(closed, {0})) feature = std::move(closed);
 }
 
-void join_gaps(std::vector<lines::Feature>& features, double tolerance, Repairs& repairs) {
+void join_gaps(std::vector<lines::Feature>& features, const RepairOptions& options, Repairs& repairs) {
+  const double tolerance = *options.gaps;
   std::vector<bool> taken(features.size(), false);
   for (std::size_t i = 0; i < features.size(); ++i) {
     lines::Feature& feature = features[i];
@@ -223,7 +226,12 @@ void join_gaps(std::vector<lines::Feature>& features, double tolerance, Repairs&
       same.parts.clear();
     }
     const std::string item = label_of(feature, i + 1);
-    const std::vector<std::size_t> partners = partners_of_ends(chains, tolerance);
+    const auto end_of = [&](std::size_t end) -> PartEnd {
+      return {features[chains[end / 2].feature], chains[end / 2].line, end % 2 == 1};
+    };
+    const std::vector<std::size_t> partners = partners_of_ends(chains, tolerance, [&](std::size_t a, std::size_t b) {
+      return !options.may_join || options.may_join(end_of(a), end_of(b));
+    });
     for (Chain& chain : joined(std::move(chains), partners, item, tolerance, repairs)) {
       features[chain.feature].parts.push_back(std::move(chain.line));
     }
@@ -506,7 +514,7 @@ Result<std::vector<Repair>> repair(std::vector<lines::Feature>& features, const 
   Repairs repairs;
   if (options.order == PointOrder::AlongTheCurve) DOBRA_TRY_VOID(order_points(features, repairs));
   if (options.duplicates) drop_duplicates(features, *options.duplicates, repairs);
-  if (options.gaps) join_gaps(features, *options.gaps, repairs);
+  if (options.gaps) join_gaps(features, options, repairs);
   if (options.snap) snap_ends(features, *options.snap, repairs);
   if (options.edges) share_edges(features, *options.edges, repairs);
   if (options.slivers) remove_slivers(features, *options.slivers, repairs);

@@ -3,6 +3,7 @@
 // of polygons. Each is asked for by name, and each tells what it did, where, and how far anything moved.
 // Page: docs/algorithms/repair.md. Source: [figueiredo1994] (order by the minimum spanning tree).
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +14,21 @@ namespace dobra::io::formats {
 
 enum class PointOrder { AsGiven, AlongTheCurve };
 
+/// An end of a part of a feature. Of the feature all but its parts may be read.
+struct PartEnd {
+  const lines::Feature& feature;
+  const geom::Polyline& part;
+  bool last = false;  ///< Else its first point.
+};
+
 /// All lengths in metres; what is not set is not done. Done in this order.
 struct RepairOptions {
   PointOrder order = PointOrder::AsGiven;           ///< Lines and points features that are one curve each.
   std::optional<double> duplicates = std::nullopt;  ///< Points nearer than this to the one before are dropped.
   std::optional<double> gaps = std::nullopt;        ///< Ends of lines of one name and kind nearer than this are joined.
-  std::optional<double> snap = std::nullopt;        ///< Ends of lines nearer than this to a fault are moved onto it.
+  /// Asked before two ends are joined, nearest ones first; without it all may be.
+  std::function<bool(const PartEnd&, const PartEnd&)> may_join = {};
+  std::optional<double> snap = std::nullopt;  ///< Ends of lines nearer than this to a fault are moved onto it.
   /// Vertices of polygons nearer than this to a line or to an earlier polygon are moved onto it, and both get the
   /// vertex.
   std::optional<double> edges = std::nullopt;

@@ -103,6 +103,23 @@ TEST_F(FaultCommands, RefusesWithThePlace) {
   EXPECT_NE(block.err.find("block 'x'"), std::string::npos) << block.err;
 }
 
+TEST_F(FaultCommands, GapsAreNotJoinedAcrossAFaultThatStillDisplacesTheBed) {
+  const std::string file = put("n.csv", normal);
+  const FaultsOut cutoffs = faults_in(file, {"--join-gaps", "400"})["faults"][0]["cutoffs"];
+  EXPECT_EQ(cutoffs, faults_in(file)["faults"][0]["cutoffs"]);
+  const auto told = call({"faults", file, "--join-gaps", "400"});
+  EXPECT_NE(told.err.find("fault 'F' lies between them and still displaces the bed by 141.4 m"), std::string::npos)
+      << told.err;
+}
+
+TEST_F(FaultCommands, AFaultThatCrossesItselfIsRefusedWithThePlace) {
+  std::string loop = normal;
+  loop.replace(loop.find("1200,-700,F"), 0, "700,-200,F,fault\n760,-200,F,fault\n690,-240,F,fault\n710,-150,F,fault\n");
+  const auto refused = call({"faults", put("loop.csv", loop)});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_NE(refused.err.find("fault 'F': the fault crosses itself"), std::string::npos) << refused.err;
+}
+
 TEST_F(FaultCommands, AScenarioHasItsFiguresAsQuantities) {
   const std::string file =
       put("q.toml",

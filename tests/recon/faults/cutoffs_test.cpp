@@ -123,6 +123,45 @@ TEST(Cutoffs, ABedThatStopsFarShortIsNamedWithItsPlace) {
   EXPECT_TRUE(tells_of(found.cutoffs[0], "has no cutoff on the footwall of fault 'F' for the one at (600, -100)"));
 }
 
+TEST(Cutoffs, AToleranceIsAdvisedOnlyIfItReachesNoOtherBed) {
+  const auto ending_at = [](double x, double other) {
+    const auto section =
+        faulted({{"A/1", {{0, 0}, {x, 0}}}, {"A/2", {{600, -100}, {1500, -100}}}, {"B", {{0, other}, {1500, other}}}},
+                {item("F", {{400, 100}, {1200, -700}})});
+    return found_in(section, 10.0).cutoffs[0];
+  };
+  EXPECT_TRUE(tells_of(ending_at(465, -900), "tolerance = 25 (--tolerance) takes it to the fault"));
+  EXPECT_TRUE(tells_of(ending_at(465, -40), "stops 25 m short of fault 'F' at (465, 0); draw it to the fault"));
+  EXPECT_FALSE(tells_of(ending_at(465, -40), "--tolerance"));
+}
+
+TEST(Cutoffs, APieceBehindWhichItsBedGoesOnDoesNotStopShort) {
+  const auto section = faulted({{"A/1", {{0, 0}, {440, 0}}},
+                                {"A/2", {{460, 0}, {500, 0}}},
+                                {"A/3", {{600, -100}, {1500, -100}}},
+                                {"B", {{0, -900}, {1500, -900}}}},
+                               {item("F", {{400, 100}, {1200, -700}})});
+  const Found found = found_in(section, 10.0);
+  EXPECT_FALSE(tells_of(found.cutoffs[0], "short of fault"));
+}
+
+TEST(Cutoffs, AFaultThatCrossesItselfIsRefusedWithThePlace) {
+  const std::vector<std::vector<geom::Point>> loops{
+      {{400, 100}, {700, -200}, {760, -200}, {700, -260}, {640, -140}, {1200, -700}},  // a slip of the pen
+      {{400, 100}, {900, -400}, {700, -200}, {1200, -700}},                            // back on itself
+      {{400, 100}, {900, -400}, {900, 100}, {400, -400}}};                             // two faults in one
+  for (const std::vector<geom::Point>& loop : loops) {
+    const auto section = faulted({{"A", {{0, 0}, {1500, 0}}}, {"B", {{0, -900}, {1500, -900}}}}, {item("F", loop)});
+    const auto refused = faults_of(section, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, base::ErrorCode::BadSection);
+    EXPECT_NE(refused.error().message.find("the fault crosses itself"), std::string::npos);
+    ASSERT_TRUE(refused.error().place);
+    EXPECT_EQ(refused.error().place->item, "fault 'F'");
+    EXPECT_TRUE(refused.error().place->x);
+  }
+}
+
 TEST(Cutoffs, ABedThatRunsAcrossIsOnBothWallsAtOnePlaceAndTold) {
   const auto section =
       faulted({{"A", {{0, 0}, {1500, 0}}}, {"B", {{0, -900}, {1500, -900}}}}, {item("F", {{400, 100}, {1200, -700}})});

@@ -143,6 +143,39 @@ TEST(RockOutline, AnOverturnedTopHasNoRockOverIt) {
   EXPECT_TRUE(shown.remarks.empty());
 }
 
+TEST(RockOutline, WhatTheLinesLeaveOpenToDoubtIsTold) {
+  const auto told = [](const section::Section& section, const std::string& what) {
+    for (const std::string& remark : blocks_in(section).remarks) {
+      if (remark.find(what) != std::string::npos) return true;
+    }
+    return false;
+  };
+  // A middle bed that is not drawn to the section's side: the straight sides cut a triangle of 300 m by 400 m / 2 out.
+  std::vector<NamedPoints> beds = whole;
+  EXPECT_FALSE(told(faulted(beds, normal), "inside the section's side"));
+  beds[2] = left_piece("B/1", -200, 300.0);
+  EXPECT_TRUE(told(faulted(beds, normal), "'B/1' ends 300 m inside the section's side at (300, -200)"));
+  EXPECT_TRUE(told(faulted(beds, normal), "leave out 60000 m2"));
+  // Two faults that cross above a horst close air off.
+  const std::vector<NamedPoints> horst{{"A/1", {{0, -100}, {400, -100}}},    {"A/2", {{500, 0}, {700, 0}}},
+                                       {"A/3", {{800, -100}, {1200, -100}}}, {"B/1", {{0, -300}, {200, -300}}},
+                                       {"B/2", {{300, -200}, {900, -200}}},  {"B/3", {{1000, -300}, {1200, -300}}}};
+  const std::vector<input::FaultInput> crossing{item("F", {{650, 150}, {50, -450}}),
+                                                item("G", {{550, 150}, {1150, -450}})};
+  EXPECT_TRUE(told(faulted(horst, crossing), "over horizon 'A/2' 10000 m2 count as rock"));
+}
+
+TEST(RockOutline, AFaultThatRunsPastTheOneItEndsOnMakesNoBlockOfItsOwn) {
+  for (const double past : {0.0, 3.0, 8.0}) {
+    const std::vector<NamedPoints> plain{{"A", {{0, 0}, {1000, 0}}}, {"B", {{0, -400}, {1000, -400}}}};
+    const Shown shown = blocks_in(
+        faulted(plain, {item("F", {{50, 50}, {600, -500}}), item("G", {{650, 50}, {350 - past, -250 - past}})}));
+    ASSERT_EQ(shown.areas.size(), 3U) << past;
+    // Over G's foot at (350, -250): the triangle between both faults and the top.
+    EXPECT_NEAR(*std::min_element(shown.areas.begin(), shown.areas.end()), 0.5 * 500.0 * 250.0, 20.0) << past;
+  }
+}
+
 TEST(RockOutline, DominoesDrawnInShortPiecesKeepTheirBlocks) {
   // Four blocks between faults of 60 degrees, four beds, dropped by known amounts; each piece of a bed is drawn in up
   // to ten parts with gaps of up to 8 m between them, and stops up to 5 m short of the faults.

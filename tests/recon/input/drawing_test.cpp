@@ -176,6 +176,23 @@ TEST(Drawing, AFileOfManyLinesIsTakenIntoTheDocumentAndStaysAsItIs) {
   fs::remove_all(folder);
 }
 
+TEST(Drawing, AHorizonThatReadingHasJoinedOutOfAFileIsEditedAsTheOneLineThatItIs) {
+  const fs::path folder = fs::temp_directory_path() / "dobra_drawing_join_test";
+  fs::create_directories(folder);
+  std::ofstream(folder / "lines.csv") << "name,kind,x,z\nA,horizon,0,0\nA,horizon,48,1\n\nA,horizon,52,1\n"
+                                         "A,horizon,100,0\n\nB,horizon,0,-50\nB,horizon,100,-50\n";
+  const scenario::Document document = document_of("[[input.lines]]\nfile = \"lines.csv\"\njoin_gaps = 10\n", folder);
+  const section::Section before = section_of(document);
+  ASSERT_EQ(before.horizons.size(), 2U);
+  EXPECT_EQ(before.horizons[0].name, "A");
+  const geom::Polyline moved{{{0, 5}, {48, 1}, {52, 1}, {100, 0}}, false};
+  const section::Section there = section_of(edited(document, {{{"horizon_0", 0}, {moved}}}));
+  ASSERT_EQ(there.horizons.size(), 2U);
+  EXPECT_EQ(there.horizons[0].line, moved);
+  EXPECT_EQ(there.horizons[1].line, before.horizons[1].line);
+  fs::remove_all(folder);
+}
+
 TEST(Drawing, ALineIsAddedUnderANameThatIsFree) {
   const scenario::Document document = document_of(two_beds);
   const auto made = with_line(document, "horizon", "C", {{{0, -90}, {200, -80}}, false});

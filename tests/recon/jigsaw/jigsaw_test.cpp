@@ -307,6 +307,86 @@ TEST(Jigsaw, RoughPicksHardlyChangeTheShiftsOfTheWalls) {
   EXPECT_GT(worst, 0.01);
 }
 
+TEST(Jigsaw, ErrorsOfShiftsAreOfTheSizeOfWhatNoiseDoesToThem) {
+  const double heave = along(east, 250).x;
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  for (const Fit fit : {Fit::Walls, Fit::Top}) {
+    double true_errors = 0.0, told_errors = 0.0;
+    for (int draw = 0; draw < 8; ++draw) {
+      const geom::Vector slip = along(east, 250);
+      Section section = stack({east, west}, {by(0, 0), by(slip.x, slip.y), by(2 * slip.x, 0)}, true, 41);
+      for (section::Horizon& horizon : section.horizons) {
+        for (geom::Point& p : horizon.line.points) p.y += noise(random);
+      }
+      const Blockwise made = restored(section, jigsaw_by(fit));
+      EXPECT_EQ(made.rows[0].shift_error, 0.0);
+      for (const int block : {1, 2}) {
+        const BlockRow& row = made.rows[static_cast<std::size_t>(block)];
+        true_errors += std::pow(*row.shift + block * heave, 2);
+        told_errors += std::pow(row.shift_error.value(), 2);
+      }
+      const double first = made.faults[0].slide_error.value(), second = made.faults[1].slide_error.value();
+      EXPECT_GT(made.faults[0].misfit.value(), 0.0);
+      EXPECT_NEAR(made.rows[1].shift_error.value(), first, 1e-9);  // from block to block
+      EXPECT_NEAR(made.rows[2].shift_error.value(), std::hypot(first, second), 1e-9);
+    }
+    const double ratio = std::sqrt(told_errors / true_errors);
+    EXPECT_GT(ratio, 0.5) << static_cast<int>(fit);
+    EXPECT_LT(ratio, 4.0) << static_cast<int>(fit) << ' ' << ratio;
+  }
+}
+
+TEST(Walls, TheSlideErrorIsTheirMeanSquareDistanceWithoutNoise) {
+  // Apart by 0 at the datum and, 900 m below, by 9 m at the first fault and 18 m at the second.
+  std::vector<UnfoldedBlock> blocks(3);
+  std::vector<FacingWalls> facing;
+  std::vector<RestoredFault> faults(3);
+  for (std::size_t i = 0; i < 2; ++i) {
+    WallPair pair;
+    pair.pieces = {{-900, 0, 100, 100, 100 + 9.0 * static_cast<double>(i + 1), 100}};
+    facing.push_back({i, i, i + 1, pair});
+    faults[i].measured = true;
+  }
+  add_slide_errors(facing, blocks, 10000.0, faults);
+  EXPECT_NEAR(faults[0].slide_error.value(), 9.0 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(faults[1].slide_error.value(), 18.0 / std::sqrt(3.0), 1e-12);
+  EXPECT_FALSE(faults[2].slide_error);
+}
+
+TEST(Jigsaw, ASlipOfThePenInTheMiddleOfATopTiltsNoBlockAndIsToldWhereThePinIsPutOnIt) {
+  const geom::Vector slip = along(east, 250);
+  // Steep little stretches in the middle of the top of the second block, down, up, and one that leans back.
+  for (const geom::Vector off : {geom::Vector{7, -4}, {7, 5}, {5, 6}}) {
+    Section section = stack({east, west}, {by(0, 0), by(slip.x, slip.y), by(2 * slip.x, 0)}, true, 41);
+    const auto top = std::find_if(section.horizons.begin(), section.horizons.end(),
+                                  [](const section::Horizon& h) { return h.name == "A (2)"; });
+    const geom::Point middle = top->line.points[20];
+    top->line.points[20] = middle - 0.5 * off;
+    top->line.points.insert(top->line.points.begin() + 21, middle + 0.5 * off);
+    BlockwiseParams how = jigsaw_by(Fit::Walls);
+    unfold::RestoreParams params;
+    params.method = unfold::RestoreMethod::Flexural;
+    const auto jigsaw = restore_blockwise(section, how, params, {});
+    ASSERT_TRUE(jigsaw) << to_string(jigsaw.error());
+    const Blockwise& made = *jigsaw;
+    const double longer = 2.0 * geom::length(off);  // at most, by what the top has got longer
+    EXPECT_NEAR(*made.rows[1].shift, -slip.x, longer) << off.x;
+    how.jigsaw = false;
+    how.fit.reset();
+    how.block = {made.rows[1].name};
+    how.pin = middle.x;
+    const auto alone = restore_blockwise(section, how, {}, {});
+    ASSERT_TRUE(alone) << to_string(alone.error());
+    const Blockwise& pinned = *alone;
+    const auto tells = [](const std::string& remark) {
+      return remark.find("degrees off its dip on both sides") != std::string::npos;
+    };
+    EXPECT_EQ(std::count_if(made.remarks.begin(), made.remarks.end(), tells), 0);
+    EXPECT_EQ(std::count_if(pinned.remarks.begin(), pinned.remarks.end(), tells), 1);
+  }
+}
+
 TEST(Walls, DistanceIsWeightedByDepthAsBruteForceHasIt) {
   const Branch left{true, {{0, -1000}, {100, -500}, {-100, 0}}};
   const Branch right{true, {{50, -1000}, {70, 0}}};

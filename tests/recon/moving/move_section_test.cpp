@@ -233,6 +233,49 @@ TEST(Move, BlocksMovedBackOneAfterTheOtherStayWholeWithoutABorder) {
   }
 }
 
+TEST(Move, AStubOfABedShorterThanTheToleranceMovesWithItsBlock) {
+  // 10 m of B lie beside the fault in the hanging wall, then a gap of 60 m; the stub begins a hair past the fault.
+  section::Section section = planar(100.0);
+  section.border.reset();
+  const double d = 100.0 / std::numbers::sqrt2;
+  section.horizons[2].line.points = {{-2000, -600 - d}, {-670 - d, -600 - d}};
+  section.horizons.push_back(
+      {section::HorizonId(9), "B (3)", {{{-610 - d, -600 - d}, {-600 - d + 2e-4, -600 - d}}, false}, {}, "B"});
+  const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+  ASSERT_TRUE(moved) << to_string(moved.error());
+  const geom::Polyline stub = horizon(moved->section, "B (3)").line;
+  EXPECT_NEAR(stub.points.front().x, -610.0, 1e-6);
+  EXPECT_NEAR(stub.points.front().y, -600.0, 1e-6);
+  EXPECT_NEAR(stub.points.back().x, -600.0, 1e-3);
+}
+
+TEST(Move, OfBlocksThatAreNamedTheMisfitIsWhatTheyLeave) {
+  // Two faults with 100 m each: the block between them lies in the footwall of the second one.
+  section::Section section = planar(100.0);
+  const double d = 100.0 / std::numbers::sqrt2;
+  section.horizons.erase(section.horizons.begin() + 1);  // A (2) and B (2) are cut again at x = 400
+  section.horizons.erase(section.horizons.begin() + 2);
+  const auto bed = [&](const char* name, const char* whole, std::vector<geom::Point> points) {
+    section.horizons.push_back(
+        {section::HorizonId(20 + section.horizons.size()), name, {std::move(points), false}, {}, whole});
+  };
+  bed("A (2)", "A", {{-300, -300}, {400, -300}});
+  bed("A (3)", "A", {{400 + d, -300 + d}, {1000, -300 + d}});
+  bed("B (2)", "B", {{-600, -600}, {100, -600}});
+  bed("B (3)", "B", {{100 + d, -600 + d}, {1000, -600 + d}});
+  section.lines.push_back({section::LineId(1), LineKind::Fault, "G", {{{700, 0}, {-300, -1000}}, false}, {}});
+  const auto blocks = faults::Blocks::make(section, faults::faults_of(section, {}).value(), {}).value();
+  MoveParams params = closing(MoveMethod::Rigid, {"A"});
+  for (const double x : {-1500.0, 0.0, 900.0}) {  // hanging wall, between, footwall of both
+    params.block = {blocks.all()[blocks.at({x, -350}).index()].name};
+    const auto moved = move_block(section, params, {});
+    ASSERT_TRUE(moved) << to_string(moved.error());
+    const double left = x < -1000.0 ? 0.0 : x < 100.0 ? 200.0 : 100.0;  // m along F
+    EXPECT_EQ(moved->whole_wall, x < -1000.0);
+    for (const Misfit& misfit : moved->misfit) EXPECT_NEAR(std::abs(misfit.along), left, 1e-6) << x << misfit.horizon;
+  }
+}
+
 TEST(Move, FurtherPiecesHaveIdsThatNothingElseHas) {
   section::Section section = planar();
   section.horizons.push_back({section::HorizonId(5), "C", {{{-2000, -900}, {1000, -900}}, false}, {}, {}});
