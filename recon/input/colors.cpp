@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "recon/section/palette.h"
+#include "shared/scenario/entries.h"
 
 namespace recon::input {
 
@@ -20,8 +21,8 @@ namespace {
 using Tables = std::vector<scenario::Table>;
 
 std::string whole_of(const scenario::Table& horizon) {
-  const std::string whole = text_of(horizon, "piece_of");
-  return whole.empty() ? text_of(horizon, "name") : whole;
+  const std::string whole = scenario::text_in(horizon, "piece_of");
+  return whole.empty() ? scenario::text_in(horizon, "name") : whole;
 }
 
 std::set<std::string> horizons_of(const scenario::Document& document) {
@@ -33,12 +34,6 @@ std::set<std::string> horizons_of(const scenario::Document& document) {
 }
 
 }  // namespace
-
-std::string text_of(const scenario::Table& entry, std::string_view key) {
-  const scenario::Value* value = entry.find(key);
-  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
-  return text == nullptr ? std::string() : *text;
-}
 
 base::Result<void> take_colors(const SectionInput& input, section::Section& section) {
   scene::ColorTable table = section.colors ? *section.colors : scene::ColorTable{};

@@ -10,9 +10,6 @@
 
 namespace recon::input {
 
-/// A text of an entry; empty where it has none.
-std::string text_of(const dobra::scenario::Table& entry, std::string_view key);
-
 /// Puts them into the section's table of colours, where they go before what that says.
 /// @error BadValue: what is no colour, with the entry.
 base::Result<void> take_colors(const SectionInput& input, section::Section& section);

@@ -16,6 +16,7 @@
 #include "recon/input/line_file.h"
 #include "recon/input/section_input.h"
 #include "shared/base/text.h"
+#include "shared/scenario/entries.h"
 
 namespace recon::input {
 
@@ -23,28 +24,6 @@ namespace scenario = dobra::scenario;
 namespace scene = dobra::scene;
 
 namespace {
-
-using Tables = std::vector<scenario::Table>;
-
-base::Error refuse(const std::string& name, const char* why) {
-  base::Place place;
-  place.item = fmt::format("'{}'", name);
-  return {base::ErrorCode::BadValue, base::translated(why), place};
-}
-
-Tables tables_of(const scenario::Table& input, const std::string& key) {
-  const scenario::Value* value = input.find(key);
-  const auto* tables = value == nullptr ? nullptr : std::get_if<Tables>(value);
-  return tables == nullptr ? Tables() : *tables;
-}
-
-void set_tables(scenario::Table& input, const std::string& key, Tables tables) {
-  if (tables.empty()) {
-    input.erase(key);
-  } else {
-    input.set(key, std::move(tables));
-  }
-}
 
 /// Section coordinates and back, as [input] says.
 class Coordinates {
@@ -87,12 +66,6 @@ void set_points(scenario::Table& entry, const std::string& table, std::vector<ge
   entry.set("points", std::move(points));
 }
 
-std::vector<geom::Point> points_of(const scenario::Table& entry) {
-  const scenario::Value* value = entry.find("points");
-  const auto* points = value == nullptr ? nullptr : std::get_if<std::vector<geom::Point>>(value);
-  return points == nullptr ? std::vector<geom::Point>() : *points;
-}
-
 /// A line of the section: in which table of the input it stands, and under which name.
 struct Item {
   std::string table;
@@ -109,7 +82,8 @@ base::Result<Item> item_of(const section::Section& section, const scene::Pick& p
     const section::SectionLine& line = section.lines[pick.id];
     return Item{kind_name(line.kind), line.name, line.piece_of};
   }
-  return refuse(pick.layer, "this is drawn by the program and cannot be edited; edit horizons, faults and lines");
+  return scenario::edit_refused(pick.layer,
+                                "this is drawn by the program and cannot be edited; edit horizons, faults and lines");
 }
 
 /// The line as an entry of its table.
@@ -130,7 +104,7 @@ base::Result<scenario::Document> with_files_taken_in(scenario::Document document
   if (input.lines.empty()) return document;
   DOBRA_TRY(const ReadSettings settings, read_settings(input));
   const Coordinates coordinates(document.input);
-  std::map<std::string, Tables> made;
+  std::map<std::string, scenario::Entries> made;
   for (const LinesInput& wanted : input.lines) {
     DOBRA_TRY(const auto work, work_of_file(wanted, (document.folder() / wanted.file).string(), settings));
     DOBRA_TRY(const Import import, import_lines(work.features));
@@ -157,31 +131,18 @@ base::Result<scenario::Document> with_files_taken_in(scenario::Document document
   }
   document.input.erase("lines");
   for (auto& [table, entries] : made) {
-    Tables all = tables_of(document.input, table);
+    scenario::Entries all = scenario::entries_of(document.input, table);
     all.insert(all.end(), std::make_move_iterator(entries.begin()), std::make_move_iterator(entries.end()));
-    set_tables(document.input, table, std::move(all));
+    scenario::set_entries(document.input, table, std::move(all));
   }
   return document;
 }
 
-Tables::iterator named(Tables& tables, const std::string& name) {
-  return std::find_if(tables.begin(), tables.end(),
-                      [&](const scenario::Table& t) { return text_of(t, "name") == name; });
-}
-
-/// "A (2)", or the next number that no entry has.
-std::string free_name(Tables& tables, const std::string& whole) {
-  for (int k = 2;; ++k) {
-    std::string name = fmt::format("{} ({})", whole, k);
-    if (named(tables, name) == tables.end()) return name;
-  }
-}
-
 /// Puts the lines in the place of the entry.
-void replace(Tables& tables, const Item& item, const Coordinates& coordinates,
+void replace(scenario::Entries& tables, const Item& item, const Coordinates& coordinates,
              const std::vector<geom::Polyline>& becomes) {
-  const auto entry = named(tables, item.name);
-  const std::vector<geom::Point> written = points_of(*entry);
+  const auto entry = scenario::entry_named(tables, item.name);
+  const std::vector<geom::Point> written = scenario::points_in(*entry);
   if (becomes.empty()) {
     tables.erase(entry);
     return;
@@ -198,7 +159,7 @@ void replace(Tables& tables, const Item& item, const Coordinates& coordinates,
   }
   std::size_t at = static_cast<std::size_t>(entry - tables.begin());
   for (std::size_t k = 1; k < becomes.size(); ++k) {
-    part.set("name", free_name(tables, whole));
+    part.set("name", scenario::free_name(tables, whole));
     set_points(part, item.table, coordinates.in_document(becomes[k], written));
     tables.insert(tables.begin() + static_cast<std::ptrdiff_t>(++at), part);
   }
@@ -211,18 +172,19 @@ base::Result<scenario::Document> with_lines_edited(scenario::Document document, 
   std::set<std::string> gone;
   for (const scene::LineEdit& edit : edits) {
     DOBRA_TRY(const Item item, item_of(section, edit.pick));
-    Tables tables = tables_of(document.input, item.table);
-    if (named(tables, item.name) == tables.end()) {
+    scenario::Entries tables = scenario::entries_of(document.input, item.table);
+    if (scenario::entry_named(tables, item.name) == tables.end()) {
       DOBRA_TRY(document, with_files_taken_in(std::move(document), section));
-      tables = tables_of(document.input, item.table);
+      tables = scenario::entries_of(document.input, item.table);
     }
-    if (named(tables, item.name) == tables.end()) {
-      return refuse(item.name,
-                    "reading the section has made or cut this line, so that it cannot be edited by itself; edit the "
-                    "line that it was made from");
+    if (scenario::entry_named(tables, item.name) == tables.end()) {
+      return scenario::edit_refused(
+          item.name,
+          "reading the section has made or cut this line, so that it cannot be edited by itself; edit the "
+          "line that it was made from");
     }
     replace(tables, item, Coordinates(document.input), edit.becomes);
-    set_tables(document.input, item.table, std::move(tables));
+    scenario::set_entries(document.input, item.table, std::move(tables));
     if (item.table == "horizon" && edit.becomes.empty()) gone.insert(item.piece_of.empty() ? item.name : item.piece_of);
   }
   return with_colors_kept(std::move(document), section, gone);
@@ -230,13 +192,14 @@ base::Result<scenario::Document> with_lines_edited(scenario::Document document, 
 
 base::Result<scenario::Document> with_line(scenario::Document document, const std::string& table,
                                            const std::string& name, const geom::Polyline& line) {
-  Tables tables = tables_of(document.input, table);
-  if (base::trimmed(name).empty()) return refuse(name, "give it a name");
-  if (named(tables, name) != tables.end()) return refuse(name, "another one has this name already; give another name");
+  scenario::Entries tables = scenario::entries_of(document.input, table);
+  if (base::trimmed(name).empty()) return scenario::edit_refused(name, "give it a name");
+  if (scenario::entry_named(tables, name) != tables.end())
+    return scenario::edit_refused(name, "another one has this name already; give another name");
   scenario::Table& entry = tables.emplace_back();
   entry.set("name", name);
   entry.set("points", Coordinates(document.input).in_document(line, {}));
-  set_tables(document.input, table, std::move(tables));
+  scenario::set_entries(document.input, table, std::move(tables));
   return document;
 }
 
