@@ -9,6 +9,7 @@
 
 #include "recon/maps/area_change.h"
 #include "shared/base/parallel.h"
+#include "shared/geom/place.h"
 
 namespace recon::balance {
 
@@ -102,7 +103,7 @@ std::optional<std::string> missing_area(const section::Section& section, const L
     });
     if (found || unit.contours.empty()) continue;
     const geom::Point at = unit.contours.front().points.front();
-    missing.push_back(fmt::format("'{}' of {:.6g} m2 at ({:.6g}, {:.6g})", unit.name, unit.area, at.x, at.y));
+    missing.push_back(fmt::format("'{}' of {:.6g} m2 at {}", unit.name, unit.area, at));
   }
   if (std::abs(all - in_rows) <= rounding * all) return std::nullopt;
   return fmt::format(

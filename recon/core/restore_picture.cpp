@@ -15,6 +15,7 @@
 #include "recon/model/chain.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
+#include "shared/geom/place.h"
 #include "shared/scene/color_map.h"
 #include "shared/scene/view.h"
 
@@ -104,9 +105,9 @@ std::string note_on_ellipses(const std::vector<maps::Strain>& strains) {
     if (longest == nullptr || strain.greatest > longest->greatest) longest = &strain;
   }
   if (longest == nullptr) return {};
-  return fmt::format("{} {} {:.4g}, ({:.6g}, {:.6g}).", cut,
+  return fmt::format("{} {} {:.4g}, {}.", cut,
                      translated("strain ellipses are longer than they are drawn; the greatest stretch and its place:"),
-                     longest->greatest, longest->at.x, longest->at.y);
+                     longest->greatest, longest->at);
 }
 
 /// The beds as they lie on each other, each once with its mean restored thickness, to the scale of the section.

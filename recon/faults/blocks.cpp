@@ -336,10 +336,10 @@ std::vector<std::string> Blocks::remarks_on_beds(const section::Section& section
       if (!bare(segment)) continue;
       const geom::Point at = geom::midpoint(segment.from, segment.to);
       remarks.push_back(
-          fmt::format("horizon '{}' has rock on neither side at ({:.6g}, {:.6g}): what encloses it is open, so that a "
-                      "block lacks it or is missing, and areas there are too small; close the gap (--join-gaps, a "
-                      "larger tolerance), let faults reach below the lowest bed, or give a border ([[input.border]])",
-                      horizon.name, at.x, at.y));
+          fmt::format("horizon '{}' has rock on neither side at {}: what encloses it is open, so that a block lacks it "
+                      "or is missing, and areas there are too small; close the gap (--join-gaps, a larger tolerance), "
+                      "let faults reach below the lowest bed, or give a border ([[input.border]])",
+                      horizon.name, at));
       break;
     }
   }

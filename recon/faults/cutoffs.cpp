@@ -10,6 +10,7 @@
 #include "recon/faults/pairing.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/intersect.h"
+#include "shared/geom/place.h"
 
 namespace recon::faults {
 
@@ -18,7 +19,7 @@ namespace {
 using kinematics::Wall;
 using section::LineEnd;
 
-std::string text_at(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+std::string text_at(geom::Point p) { return fmt::format("{}", p); }
 
 /// A piece of a horizon with vertices where it meets a fault.
 struct Vertex {

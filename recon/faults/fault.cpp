@@ -365,8 +365,7 @@ double tolerance_of(const section::Section& section, const FaultOptions& options
 
 std::optional<std::string> remark_on_taken_tip(const Fault& fault, geom::Point end) {
   if (fault.path.tip_at_begin || fault.path.tip_at_end) return std::nullopt;
-  return fmt::format("fault '{}' leaves the section at ({:.6g}, {:.6g}); that end is taken for its tip", fault.name,
-                     end.x, end.y);
+  return fmt::format("fault '{}' leaves the section at {}; that end is taken for its tip", fault.name, end);
 }
 
 geom::Polyline own_line(const Fault& fault) {

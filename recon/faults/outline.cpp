@@ -18,6 +18,7 @@
 #include "recon/section/face_contours.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/intersect.h"
+#include "shared/geom/place.h"
 #include "shared/topo/region.h"
 
 namespace recon::faults {
@@ -183,18 +184,16 @@ class OpenCells {
 std::string remark_on(const Closing& closing) {
   const geom::Point at = geom::midpoint(closing.line.from, closing.line.to);
   return fmt::format(
-      "horizon '{}' leaves the rock open at ({:.6g}, {:.6g}): a straight line of {:.4g} m closes it for "
-      "the blocks and their areas; close the gap (--join-gaps, a larger tolerance), or give a border "
-      "([[input.border]])",
-      closing.bed, at.x, at.y, geom::distance(closing.line.from, closing.line.to));
+      "horizon '{}' leaves the rock open at {}: a straight line of {:.4g} m closes it for the blocks and their areas; "
+      "close the gap (--join-gaps, a larger tolerance), or give a border ([[input.border]])",
+      closing.bed, at, geom::distance(closing.line.from, closing.line.to));
 }
 
 std::string remark_on(const section::Section& section, const MissingRock& place) {
   return fmt::format(
-      "rock is missing over horizon '{}' at ({:.6g}, {:.6g}), though another horizon lies above: what "
-      "encloses it is open, so that a block lacks it or is missing, and areas there are too small; "
-      "give a border ([[input.border]])",
-      find_horizon(section, place.horizon)->name, place.at.x, place.at.y);
+      "rock is missing over horizon '{}' at {}, though another horizon lies above: what encloses it is open, so that a "
+      "block lacks it or is missing, and areas there are too small; give a border ([[input.border]])",
+      find_horizon(section, place.horizon)->name, place.at);
 }
 
 /// Rock over or under all beds, which faults alone enclose.
@@ -204,9 +203,9 @@ void remark_on_faults_alone(const section::SectionFaces& faces, const section::S
     const section::Horizon& bed = section.horizons[unit.top ? *unit.top : *unit.base];
     const geom::Point at = unit.contours.front().points.front();
     outline.remarks.push_back(
-        fmt::format("{} horizon '{}' {:.6g} m2 count as rock that no other horizon but faults close off, by ({:.6g}, "
-                    "{:.6g}); give a border ([[input.border]]) if blocks are to end at the horizon",
-                    unit.top ? "under" : "over", bed.name, unit.area, at.x, at.y));
+        fmt::format("{} horizon '{}' {:.6g} m2 count as rock that no other horizon but faults close off, by {}; give a "
+                    "border ([[input.border]]) if blocks are to end at the horizon",
+                    unit.top ? "under" : "over", bed.name, unit.area, at));
   }
 }
 
@@ -229,10 +228,9 @@ void remark_on_notches(const section::Section& section, const std::vector<geom::
       const double depth = (side == section::LineEnd::First ? twice : -twice) / geom::length(way);
       if (!(depth > 2.0 * tolerance)) continue;
       outline.remarks.push_back(
-          fmt::format("horizon '{}' ends {:.4g} m inside the section's side at ({:.6g}, {:.6g}): the rock ends at "
-                      "straight lines to that place, which leave out {:.6g} m2; draw it to the side, or give a border "
-                      "([[input.border]])",
-                      ends[i].first->name, depth, ends[i].second.x, ends[i].second.y, 0.5 * std::abs(twice)));
+          fmt::format("horizon '{}' ends {:.4g} m inside the section's side at {}: the rock ends at straight lines to "
+                      "that place, which leave out {:.6g} m2; draw it to the side, or give a border ([[input.border]])",
+                      ends[i].first->name, depth, ends[i].second, 0.5 * std::abs(twice)));
     }
   }
 }

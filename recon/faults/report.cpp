@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "shared/geom/intersect.h"
+#include "shared/geom/place.h"
 
 namespace recon::faults {
 
@@ -23,10 +24,8 @@ void add_remarks(const Fault& fault, const std::vector<ProfilePoint>& profile, d
   }
   for (const FaultEnd& end : {fault.lower, fault.upper}) {
     if (end.on.empty() || end.gap <= 1e-6 * tolerance) continue;
-    remarks.push_back(
-        fmt::format("fault '{}' ends {:.4g} m off fault '{}' at ({:.6g}, {:.6g}) and is taken to end on "
-                    "it",
-                    fault.name, end.gap, end.on, end.at.x, end.at.y));
+    remarks.push_back(fmt::format("fault '{}' ends {:.4g} m off fault '{}' at {} and is taken to end on it", fault.name,
+                                  end.gap, end.on, end.at));
   }
   if (fault.name != fault.whole) {
     remarks.push_back(
@@ -61,10 +60,29 @@ void remark_on_crossings(const std::vector<Fault>& faults, double tolerance, std
       const auto at = crossing_of(own_line(a), own_line(b), tolerance);
       if (!at) continue;
       remarks.push_back(
-          fmt::format("faults '{}' and '{}' cross at ({:.6g}, {:.6g}) and neither offsets the other, so that nothing "
+          fmt::format("faults '{}' and '{}' cross at {} and neither offsets the other, so that nothing "
                       "says which is younger: give both an order, of which 1 is the youngest, or part the older one "
                       "there",
-                      a.name, b.name, at->x, at->y));
+                      a.name, b.name, *at));
+    }
+  }
+}
+
+/// Faults side by side, of which the tolerance may give the end of a bed to the wrong one.
+void remark_on_neighbours(const std::vector<Fault>& faults, double tolerance, std::vector<std::string>& remarks) {
+  for (const Fault& a : faults) {
+    const geom::Polyline line = own_line(a);
+    const std::vector<double> arcs = geom::arc_lengths(line);
+    for (const Fault& b : faults) {
+      if (b.whole >= a.whole) continue;  // a pair once
+      double apart = 0.0;
+      for (const double fraction : {0.25, 0.5, 0.75})
+        apart = std::max(apart, geom::distance(own_line(b), geom::point_at(line, arcs, fraction * arcs.back())));
+      if (apart > 2.0 * tolerance) continue;
+      remarks.push_back(fmt::format(
+          "faults '{}' and '{}' run {:.4g} m apart or less, and ends within {:.4g} m of a fault are taken to "
+          "it: beds, or the fault, may go to the wrong one; give a smaller tolerance (--tolerance)",
+          b.name, a.name, apart, tolerance));
     }
   }
 }
@@ -88,8 +106,13 @@ base::Result<FaultReport> report_faults(const section::Section& section, const F
     report.remarks.insert(report.remarks.end(), told.begin(), told.end());
     report.profiles.push_back(profile_of(report.cutoffs[i]));
     add_remarks(report.faults[i], report.profiles[i], report.tolerance, report.remarks);
+    if (report.cutoffs[i].pairs.empty() && !report.faults[i].undecided)
+      report.remarks.push_back(
+          fmt::format("fault '{}' has no cutoffs: no horizon crosses it or ends within {:.4g} m of it",
+                      report.faults[i].name, report.tolerance));
   }
   remark_on_crossings(report.faults, report.tolerance, report.remarks);
+  remark_on_neighbours(report.faults, report.tolerance, report.remarks);
   DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
   report.blocks = blocks.all();
   for (const Fault& fault : report.faults) {

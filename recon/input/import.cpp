@@ -11,6 +11,7 @@
 #include <set>
 
 #include "recon/input/line_file.h"
+#include "shared/geom/place.h"
 #include "shared/io/lines/line_kinds.h"
 #include "shared/io/scan.h"
 
@@ -200,9 +201,7 @@ class Importer {
     if (feature.type == io::lines::FeatureType::Polygons && geom::signed_area(made.line) < 0.0) {
       const geom::Point at = made.line.points.front();
       made_.remarks.push_back(
-          fmt::format("unit '{}': its hole at ({:.6g}, {:.6g}) is left out; what fills it is a "
-                      "polygon of its own",
-                      made.name, at.x, at.y));
+          fmt::format("unit '{}': its hole at {} is left out; what fills it is a polygon of its own", made.name, at));
       return;
     }
     if (made.line.closed) made.line.points.push_back(made.line.points.front());  // it says that it closes

@@ -159,8 +159,8 @@ base::Result<void> treat_self_crossings(section::Horizon& horizon, SelfCrossings
   auto cut = section::without_loops(horizon.line);
   if (!cut) return base::located(cut.error(), source);
   if (!cut->places.empty()) {
-    remarks.push_back(fmt::format("{}: {} small loops cut out, the first at ({:.6g}, {:.6g})", item, cut->places.size(),
-                                  cut->places.front().x, cut->places.front().y));
+    remarks.push_back(
+        fmt::format("{}: {} small loops cut out, the first at {}", item, cut->places.size(), cut->places.front()));
   }
   horizon.line = std::move(cut->line);
   return {};
@@ -206,8 +206,7 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
       horizon.name = fmt::format("{} ({})", wanted.name, horizons.size() + 1);
       const geom::Point from = horizon.line.points.front();
       const geom::Point to = horizon.line.points.back();
-      told.push_back(
-          fmt::format("'{}' from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", horizon.name, from.x, from.y, to.x, to.y));
+      told.push_back(fmt::format("'{}' from {} to {}", horizon.name, from, to));
     }
     horizons.push_back(std::move(horizon));
   }
@@ -239,9 +238,9 @@ void tell_open_ends(const section::Section& section, std::vector<std::string>& r
       const std::string gap =
           std::isfinite(nearest) ? fmt::format("{:.4g} m from the nearest fault", nearest) : std::string("on no fault");
       remarks.push_back(
-          fmt::format("horizon '{}' ends at ({:.6g}, {:.6g}), {}, so that the units above and below it run "
-                      "together there; snap_to_faults moves ends that are near onto the fault",
-                      horizon.name, p.x, p.y, gap));
+          fmt::format("horizon '{}' ends at {}, {}, so that the units above and below it run together there; "
+                      "snap_to_faults moves ends that are near onto the fault",
+                      horizon.name, p, gap));
     }
   }
 }

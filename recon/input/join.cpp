@@ -115,8 +115,7 @@ class Joiner {
     // Pieces that cross are left as they are, and their line is refused.
     if (!overlap && back > 1e-9 * gap) midpoints_.emplace_back(a.at(), b.at());
     joined_.remarks.push_back(
-        fmt::format("horizon '{}': two pieces joined over a gap of {:.6g} m, at ({:.6g}, {:.6g}){}", wish_.horizon,
-                    join.gap, join.at.x, join.at.y,
+        fmt::format("horizon '{}': two pieces joined over a gap of {:.6g} m, at {}{}", wish_.horizon, join.gap, join.at,
                     between && between->separation > 1e-3 * wish_.tolerance
                         ? fmt::format(", across fault '{}', along which its cutoffs are {:.4g} m apart", between->fault,
                                       between->separation)
@@ -126,9 +125,8 @@ class Joiner {
   }
 
   void refuse(const PieceEnd& a, const PieceEnd& b, const std::string& why) {
-    joined_.remarks.push_back(
-        fmt::format("horizon '{}': the ends of two pieces at ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}) are not joined: {}",
-                    wish_.horizon, a.at().x, a.at().y, b.at().x, b.at().y, why));
+    joined_.remarks.push_back(fmt::format("horizon '{}': the ends of two pieces at {} and {} are not joined: {}",
+                                          wish_.horizon, a.at(), b.at(), why));
   }
 
   static bool cross(const geom::Polyline& a, const geom::Polyline& b) {
@@ -209,8 +207,7 @@ std::string in_pieces(const std::vector<section::Horizon>& pieces) {
       }
     }
   }
-  return fmt::format("in {} pieces; their nearest ends are {:.6g} m apart, at ({:.6g}, {:.6g})", pieces.size(), least,
-                     at.x, at.y);
+  return fmt::format("in {} pieces; their nearest ends are {:.6g} m apart, at {}", pieces.size(), least, at);
 }
 
 base::Result<JoinedPieces> join_horizons(section::Section section, const std::vector<JoinWish>& wishes) {

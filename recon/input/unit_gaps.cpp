@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "shared/geom/place.h"
 #include "shared/geom/spatial_index.h"
 
 namespace recon::input {
@@ -107,8 +108,8 @@ std::vector<std::string> wide_gaps(const section::Section& section, double toler
     if (facing.width <= 0.5 * std::min(upper.contour.box().width(), lower.contour.box().width())) continue;
     told.push_back(fmt::format(
         "units '{}' and '{}' face each other over {:.6g} m without an edge in common, {:.4g} to {:.4g} m apart, least "
-        "at ({:.6g}, {:.6g}): no horizon is made there; give share_edges (--edges M) where that is untidy drawing",
-        upper.name, lower.name, facing.width, facing.least, facing.greatest, facing.place.x, facing.place.y));
+        "at {}: no horizon is made there; give share_edges (--edges M) where that is untidy drawing",
+        upper.name, lower.name, facing.width, facing.least, facing.greatest, facing.place));
   }
   return told;
 }

@@ -11,6 +11,7 @@
 #include "recon/input/unit_gaps.h"
 #include "recon/input/unit_owners.h"
 #include "recon/section/section_faces.h"
+#include "shared/geom/place.h"
 #include "shared/geom/simplify.h"
 
 namespace recon::input {
@@ -92,9 +93,9 @@ class Maker {
     }
     if (stubs_ > 0) {
       remarks_.push_back(
-          fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons "
-                      "do not end together, and are cut, the first at ({:.6g}, {:.6g})",
-                      stubs_, owners_.tolerance(), first_stub_.x, first_stub_.y));
+          fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons do not end "
+                      "together, and are cut, the first at {}",
+                      stubs_, owners_.tolerance(), first_stub_));
     }
     return std::move(made_);
   }
@@ -194,9 +195,8 @@ class Maker {
   void tell_upright(std::size_t unit, std::size_t beyond, geom::Point place) {
     if (unit > beyond) return;  // told from the other side
     remarks_.push_back(
-        fmt::format("the edge between '{}' and '{}' at ({:.6g}, {:.6g}) stands upright: it is the top of "
-                    "neither, and no horizon",
-                    owners_.names()[unit], owners_.names()[beyond], place.x, place.y));
+        fmt::format("the edge between '{}' and '{}' at {} stands upright: it is the top of neither, and no horizon",
+                    owners_.names()[unit], owners_.names()[beyond], place));
   }
 
   /// A bit of another edge between two tops, no longer than what is untidy.

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "recon/section/section_faces.h"
+#include "shared/geom/place.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/scene/unit_colors.h"
 
@@ -181,10 +182,10 @@ void UnitOwners::give_gaps(const std::vector<FaceId>& gaps) {
   }
   for (std::size_t i = 0; i < gaps.size(); ++i) owner_[gaps[i].index()] = given[i];
   if (gaps.empty()) return;
-  remarks_.push_back(fmt::format(
-      "gaps thinner than {:.4g} m between units ({:.4g} m2 in all, the first at ({:.6g}, {:.6g})) are bridged "
-      "for the horizons; share_edges closes them",
-      tolerance_, area, place.x, place.y));
+  remarks_.push_back(
+      fmt::format("gaps thinner than {:.4g} m between units ({:.4g} m2 in all, the first at {}) are bridged for the "
+                  "horizons; share_edges closes them",
+                  tolerance_, area, place));
 }
 
 /// Units all of whose faces belong to others.
@@ -199,8 +200,8 @@ void UnitOwners::tell_covered(const section::Section& section) {
     std::vector<std::string> names;
     for (const std::size_t j : over) names.push_back('\'' + section.units[j].name + '\'');
     const geom::Point at = section.units[i].contour.points.front();
-    remarks_.push_back(fmt::format("unit '{}' at ({:.6g}, {:.6g}) lies wholly under {} and gets no horizon",
-                                   section.units[i].name, at.x, at.y, fmt::join(names, ", ")));
+    remarks_.push_back(fmt::format("unit '{}' at {} lies wholly under {} and gets no horizon", section.units[i].name,
+                                   at, fmt::join(names, ", ")));
   }
 }
 

@@ -165,9 +165,9 @@ void add_flat(const PredictedFault& found, Figures& figures, std::vector<std::st
     figures.emplace_back("detachment_by_fault", found.end.y);
   } else {
     remarks.push_back(fmt::format(
-        "the fault still dips {:.3g} degrees to the regional where the rollover ends, at ({:.6g}, {:.6g}): it flattens "
-        "below that, and the detachment lies deeper than z = {:.6g} m; follow the bed farther from the fault",
-        found.end_dip.degrees(), found.end.x, found.end.y, found.end.y));
+        "the fault still dips {:.3g} degrees to the regional where the rollover ends, at {}: it flattens below that, "
+        "and the detachment lies deeper than z = {:.6g} m; follow the bed farther from the fault",
+        found.end_dip.degrees(), found.end, found.end.y));
   }
   if (found.steps > 20) {
     remarks.push_back(

@@ -52,10 +52,9 @@ base::Result<void> check_ascends(const std::vector<geom::Point>& line, const She
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (line[i].x > line[i - 1].x) continue;
     const geom::Point at = axes.back(line[i]);
-    return cannot(fmt::format("the {} turns back along the direction of shear here, at ({:.6g}, {:.6g}); take another "
-                              "angle",
-                              what, at.x, at.y),
-                  at, what);
+    return cannot(
+        fmt::format("the {} turns back along the direction of shear here, at {}; take another angle", what, at), at,
+        what);
   }
   return {};
 }

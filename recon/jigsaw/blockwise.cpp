@@ -323,7 +323,7 @@ base::Result<void> fit_blocks(const Setting& setting, const FaultSetting& of_fau
 
 void remark_on_faults(const Blockwise& made, double size, std::vector<std::string>& remarks) {
   for (const RestoredFault& fault : made.faults) {
-    const auto at = [](geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); };
+    const auto at = [](geom::Point p) { return fmt::format("{}", p); };
     if (!fault.measured) {
       remarks.push_back(
           fmt::format("fault '{}' has no two restored walls beside each other; it is left as it was", fault.name));

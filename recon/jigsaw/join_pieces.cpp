@@ -13,7 +13,7 @@ namespace {
 /// Of the section's size: what is no farther off is one place.
 constexpr double same_place = 1e-6;
 
-std::string text_at(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+std::string text_at(geom::Point p) { return fmt::format("{}", p); }
 
 /// From left to right.
 geom::Polyline left_to_right(const geom::Polyline& line) {

@@ -17,11 +17,11 @@ base::Result<TargetLine> TargetLine::make(std::vector<geom::Point> points, doubl
   if (points.front().x > points.back().x) std::reverse(points.begin(), points.end());
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].x > points[i - 1].x) continue;
-    return base::Error{base::ErrorCode::BadValue,
-                       fmt::format("the target of a jigsaw turns back in x at ({:.6g}, {:.6g}); give a line whose x "
-                                   "grows from point to point",
-                                   points[i].x, points[i].y),
-                       geom::place_at(points[i], "target")};
+    return base::Error{
+        base::ErrorCode::BadValue,
+        fmt::format("the target of a jigsaw turns back in x at {}; give a line whose x grows from point to point",
+                    points[i]),
+        geom::place_at(points[i], "target")};
   }
   const geom::Vector left = geom::normalised(points[0] - points[1]);
   const geom::Vector right = geom::normalised(points.back() - points[points.size() - 2]);

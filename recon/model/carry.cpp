@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "recon/input/input.h"
+#include "shared/geom/place.h"
 
 namespace recon::model {
 
@@ -50,10 +51,9 @@ void remark_on(const CarriedLine& line, std::vector<std::string>& remarks) {
   const auto count = std::count_if(line.points.begin(), line.points.end(),
                                    [&](const CarriedPoint& p) { return p.misses > return_tolerance * size; });
   const geom::Point at = line.before.points[static_cast<std::size_t>(worst - line.points.begin())];
-  remarks.push_back(
-      fmt::format("{} points are carried where a map is not single-valued: the way back misses them, most ({:.6g}, "
-                  "{:.6g}) by {:.4g} m",
-                  count, at.x, at.y, worst->misses));
+  remarks.push_back(fmt::format(
+      "{} points are carried where a map is not single-valued: the way back misses them, most {} by {:.4g} m", count,
+      at, worst->misses));
 }
 
 const section::Section& section_of(const std::vector<const Stage*>& chain, std::size_t state) {
@@ -69,8 +69,8 @@ void remark_outside(const CarriedLine& line, const section::Section& section, st
   const std::vector<geom::Point>& points = line.before.points;
   const auto first = std::find_if(points.begin(), points.end(), outside);
   if (first == points.end()) return;
-  remarks.push_back(fmt::format("{} points that are carried lie outside the section, the first at ({:.6g}, {:.6g})",
-                                std::count_if(points.begin(), points.end(), outside), first->x, first->y));
+  remarks.push_back(fmt::format("{} points that are carried lie outside the section, the first at {}",
+                                std::count_if(points.begin(), points.end(), outside), *first));
 }
 
 }  // namespace

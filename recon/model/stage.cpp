@@ -29,8 +29,8 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
   if (line.closed) return crossed;
   auto without = section::without_loops(std::move(line));
   if (!without) return crossed;
-  remarks.push_back(fmt::format("{}: {} small loops that the restoration made were cut, the first at ({:.6g}, {:.6g})",
-                                item, without->places.size(), place.x, place.y));
+  remarks.push_back(fmt::format("{}: {} small loops that the restoration made were cut, the first at {}", item,
+                                without->places.size(), place));
   return std::move(without->line);
 }
 

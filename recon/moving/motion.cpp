@@ -81,10 +81,9 @@ void report_bend(const kinematics::BendStage& stage, std::size_t number, Motion&
     motion.figures.emplace_back(prefix + name, angle.degrees());
   motion.figures.emplace_back(prefix + "slip_ratio", stage.fold.slip_ratio);
   motion.remarks.push_back(fmt::format(
-      "bend at ({:.6g}, {:.6g}), slip from {:.6g} to {:.6g} m: theta {:.4g}, phi {:.4g}, gamma {:.4g}, beta {:.4g} "
-      "degrees, R {:.5g}",
-      stage.at.x, stage.at.y, stage.from, stage.to, stage.fold.theta.degrees(), stage.fold.phi.degrees(),
-      stage.fold.gamma.degrees(), stage.fold.beta.degrees(), stage.fold.slip_ratio));
+      "bend at {}, slip from {:.6g} to {:.6g} m: theta {:.4g}, phi {:.4g}, gamma {:.4g}, beta {:.4g} degrees, R {:.5g}",
+      stage.at, stage.from, stage.to, stage.fold.theta.degrees(), stage.fold.phi.degrees(), stage.fold.gamma.degrees(),
+      stage.fold.beta.degrees(), stage.fold.slip_ratio));
 }
 
 base::Result<Motion> bend_fold(const FaultPath& path, const MoveParams& params, Amount amount) {

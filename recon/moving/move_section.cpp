@@ -27,7 +27,7 @@ base::Error bad(base::ErrorCode code, std::string message, geom::Point at, const
   return {code, std::move(message), place_at(at, fmt::format("fault '{}'", fault))};
 }
 
-std::string at_text(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+std::string at_text(geom::Point p) { return fmt::format("{}", p); }
 
 /// What a move stands on: the fault as its slip is counted, and the horizons that it cuts.
 struct Setting {

@@ -8,6 +8,7 @@
 #include "recon/moving/piece_names.h"
 #include "recon/section/section_faces.h"
 #include "shared/base/parallel.h"
+#include "shared/geom/place.h"
 #include "shared/topo/region.h"
 
 namespace recon::moving {
@@ -165,9 +166,8 @@ base::Result<void> move_border(Moved& moved) {
   if (outer == contours.end()) return {};
   if (contours.size() > 1) {
     moved.remarks.push_back(
-        fmt::format("the border of the section falls into {} rings after the move; the largest is "
-                    "taken, from ({:.6g}, {:.6g}) on",
-                    contours.size(), outer->points.front().x, outer->points.front().y));
+        fmt::format("the border of the section falls into {} rings after the move; the largest is taken, from {} on",
+                    contours.size(), outer->points.front()));
   }
   moved.section.border = std::move(*outer);
   return {};

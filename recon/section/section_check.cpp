@@ -24,8 +24,8 @@ base::Result<void> refuse_crossings(const Section& section, const SectionFaces& 
   constexpr std::size_t most = 10;
   for (std::size_t i = 1; i < std::min(crossings.size(), most); ++i) {
     const geom::Point at = crossings[i]->meeting.place;
-    more += fmt::format("{} '{}' crosses '{}' at ({:.6g}, {:.6g})", i == 1 ? "; so do others:" : ",",
-                        name_of(crossings[i]->first), name_of(crossings[i]->second), at.x, at.y);
+    more += fmt::format("{} '{}' crosses '{}' at {}", i == 1 ? "; so do others:" : ",", name_of(crossings[i]->first),
+                        name_of(crossings[i]->second), at);
   }
   if (crossings.size() > most) more += fmt::format(", and {} pairs more", crossings.size() - most);
   return base::Error{

@@ -18,6 +18,7 @@
 #include "recon/section/rejoin.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/contour.h"
+#include "shared/geom/place.h"
 
 namespace recon::section {
 
@@ -464,17 +465,16 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
   std::vector<std::string> remarks;
   for (const HorizonMeeting& pair : faces.meetings) {
     const LineMeeting& meeting = pair.meeting;
-    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} places, the first at ({:.6g}, {:.6g})",
+    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} places, the first at {}",
                                   find_horizon(section, pair.first)->name, find_horizon(section, pair.second)->name,
                                   meeting.crossings > 0 ? "cross" : "meet",
-                                  meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place.x,
-                                  meeting.place.y));
+                                  meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place));
   }
   for (const OpenPlace& open : faces.open) {
     remarks.push_back(
-        fmt::format("nothing closes the section at its side under the end of horizon '{}' at ({:.6g}, "
-                    "{:.6g}): what lies there is in no unit of the ledger; give a border",
-                    find_horizon(section, open.under)->name, open.place.x, open.place.y));
+        fmt::format("nothing closes the section at its side under the end of horizon '{}' at {}: what lies there is in "
+                    "no unit of the ledger; give a border",
+                    find_horizon(section, open.under)->name, open.place));
   }
   for (const char* what : {"gap", "overlap"}) {
     const Misfit* greatest = nullptr;
@@ -489,8 +489,8 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
     if (count == 0) continue;
     const std::string all =
         count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
-    remarks.push_back(fmt::format("{}{} of {:.4g} m2 between the units {} at ({:.6g}, {:.6g})", all, what,
-                                  greatest->area, greatest->between, greatest->place.x, greatest->place.y));
+    remarks.push_back(fmt::format("{}{} of {:.4g} m2 between the units {} at {}", all, what, greatest->area,
+                                  greatest->between, greatest->place));
   }
   return remarks;
 }

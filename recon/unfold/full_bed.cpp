@@ -187,9 +187,9 @@ class Completer {
     const auto tell = [&](double metres, geom::Point end) {
       if (metres <= 1e4 * tolerance_) return;
       remarks_.push_back(
-          fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from "
-                      "its end at ({:.6g}, {:.6g}), to where the longest bed ends",
-                      top_guide_.name, metres, end.x, end.y));
+          fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from its end at {}, "
+                      "to where the longest bed ends",
+                      top_guide_.name, metres, end));
     };
     tell(-start_, source_.base.points.front());
     tell(end_ - length_, source_.base.points.back());

@@ -17,7 +17,7 @@ namespace recon::unfold {
 
 namespace {
 
-std::string at_text(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+std::string at_text(geom::Point p) { return fmt::format("{}", p); }
 
 /// What a map is made of, in words.
 struct MapWords {

@@ -249,8 +249,8 @@ class StackBuilder {
         return base::Error{base::ErrorCode::CannotRestore, message + "; move the pin, or use another method",
                            place_at(*folded)};
       }
-      made.remarks.push_back(fmt::format("{} ({:.6g}, {:.6g}); points there go with the first strip that holds them",
-                                         message, folded->x, folded->y));
+      made.remarks.push_back(
+          fmt::format("{} {}; points there go with the first strip that holds them", message, *folded));
     }
     made.map = maps::SectionMap(map);
     return made;

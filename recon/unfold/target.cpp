@@ -237,10 +237,10 @@ base::Result<Target> place_target(const section::Section& section, const SourceG
   const std::vector<double> top_arc = geom::arc_lengths(top.line);
   target.source_pin = geom::point_at(top.line, top_arc, top.pin);
   if (const double askew = askew_at(top.line, top_arc, top.pin); askew > askew_tolerance) {
-    target.remarks.push_back(fmt::format(
-        "the top at the pin ({:.6g}, {:.6g}) dips {:.3g} degrees off its dip on both sides, and what the pin "
-        "holds upright below it is tilted by that; mend the line there, or take another pin",
-        target.source_pin.x, target.source_pin.y, askew * 180.0 / std::numbers::pi));
+    target.remarks.push_back(
+        fmt::format("the top at the pin {} dips {:.3g} degrees off its dip on both sides, and what the pin holds "
+                    "upright below it is tilted by that; mend the line there, or take another pin",
+                    target.source_pin, askew * 180.0 / std::numbers::pi));
   }
   const bool flat = params.shape == TargetShape::Flat;
   DOBRA_TRY(const Pinned goal, flat ? flat_target(source, top.pin, target.source_pin, params)
