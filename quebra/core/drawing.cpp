@@ -116,6 +116,12 @@ Result<void> replace(scenario::Entries& entries, const sketch::Curve& curve, con
   return {};
 }
 
+/// To ten digits of `size`: the tenth decimal of a mean of many points is rounding.
+double rounded(double value, double size) {
+  const double scale = std::pow(10.0, 9.0 - std::floor(std::log10(size)));
+  return std::round(value * scale) / scale;
+}
+
 /// Centre and radius, if the line is what the circle tool draws.
 std::optional<std::pair<Point, double>> circle_of(const geom::Polyline& line) {
   constexpr std::size_t least = 32;
@@ -176,8 +182,10 @@ Result<scenario::Document> with_curve(scenario::Document document, const std::st
   entry.set("name", name);
   if (const auto circle = places ? std::nullopt : circle_of(line)) {
     entry.set("kind", std::string("circle"));
-    entry.set("centre", lengths.in_document(circle->first));
-    entry.set("radius", lengths.in_document(circle->second));
+    const Point centre = lengths.in_document(circle->first);
+    const double radius = lengths.in_document(circle->second);
+    entry.set("centre", Point{rounded(centre.x, radius), rounded(centre.y, radius)});
+    entry.set("radius", rounded(radius, radius));
   } else if (places) {
     entry.set("point", lengths.in_document(line.points.front()));
   } else {

@@ -100,6 +100,8 @@ TEST(Drawing, APlateIsDrawnFromNothing) {
   document = again(with_curve(document, "internal", "seam", {{{0, 35}, {60, 35}}, false}));
   document = again(with_curve(document, "point", "load", {{{60, 20}}, false}));
   document = again(with_curve(document, "region", "above", {{{30, 38}}, false}));
+  const std::string text = scenario::document_text(document);
+  EXPECT_NE(text.find("centre = [30.0, 20.0]\nradius = 4.0"), std::string::npos) << text;
   const model::Model model = model_of(document);
   ASSERT_EQ(model.domain.curves.size(), 4U);
   const auto* bore = std::get_if<geom::Arc>(&model.domain.curves[1].shape);

@@ -28,7 +28,8 @@ const std::vector<test::NamedPoints> two_beds{{"A/1", {{0, 0}, {500, 0}}},
                                               {"B/2", {{900, -400}, {2000, -400}}}};
 
 TEST(FaultReport, FaultsNearerThanTheToleranceAreTold) {
-  const auto section = faulted(two_beds, {item("F", {{400, 100}, {1200, -700}}), item("G", {{412, 100}, {1212, -700}})});
+  const auto section =
+      faulted(two_beds, {item("F", {{400, 100}, {1200, -700}}), item("G", {{412, 100}, {1212, -700}})});
   EXPECT_THAT(remarks_of(section), Contains(HasSubstr("faults 'F' and 'G' run 8.485 m apart or less")));
   EXPECT_THAT(remarks_of(section, 2.0), Not(Contains(HasSubstr("apart or less"))));
 }
@@ -39,8 +40,8 @@ TEST(FaultReport, AFaultWithoutCutoffsAndOneThatPartsNothingAreTold) {
   beds[1].second.front().x = beds[3].second.front().x = 1500.0;
   const auto far = faulted(beds, {item("F", {{400, 100}, {1200, -700}})});
   EXPECT_THAT(remarks_of(far), Contains(HasSubstr("fault 'F' has no cutoffs")));
-  const auto tip = faulted({{"A", {{0, 0}, {2000, 0}}}, {"B", {{0, -300}, {2000, -300}}}},
-                           {item("F", {{400, 100}, {600, -100}})});
+  const auto tip =
+      faulted({{"A", {{0, 0}, {2000, 0}}}, {"B", {{0, -300}, {2000, -300}}}}, {item("F", {{400, 100}, {600, -100}})});
   EXPECT_THAT(remarks_of(tip), Contains(HasSubstr("fault 'F': it ends in rock, 100 m from the border")));
   const auto through = faulted(two_beds, {item("F", {{400, 100}, {1200, -700}})});
   EXPECT_THAT(remarks_of(through), Not(Contains(HasSubstr("it ends in rock"))));
