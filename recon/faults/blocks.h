@@ -56,8 +56,8 @@ class Blocks {
   [[nodiscard]] base::Result<std::vector<BlockId>> hanging_wall(const Fault& fault) const;
   /// Of all faults, those of the left side first.
   [[nodiscard]] std::vector<FaultWall> walls() const;
-  /// Pieces of beds that have rock on neither side: what encloses it is open, so that a block lacks it or is missing. A
-  /// remark each, with the place. @cost O(pieces x points of the outline)
+  /// What was guessed of the outline, and pieces of beds that have rock on neither side: what encloses it is open, so
+  /// that a block lacks it or is missing. With places. @cost O(pieces x points of the outline)
   [[nodiscard]] std::vector<std::string> remarks_on_beds(const section::Section& section) const;
   /// Blocks, and all blocks of groups.  @error BadSection: no block or group is called so.
   [[nodiscard]] base::Result<std::vector<BlockId>> named(std::span<const std::string> names) const;

@@ -27,9 +27,7 @@ std::string whole_of(const scenario::Table& horizon) {
 
 std::set<std::string> horizons_of(const scenario::Document& document) {
   std::set<std::string> names;
-  const scenario::Value* rows = document.input.find("horizon");
-  if (rows == nullptr || !std::holds_alternative<Tables>(*rows)) return names;
-  for (const scenario::Table& row : std::get<Tables>(*rows)) names.insert(whole_of(row));
+  for (const scenario::Table& row : scenario::entries_of(document.input, "horizon")) names.insert(whole_of(row));
   return names;
 }
 
