@@ -194,6 +194,9 @@ void MainWindow::make_actions() {
   a.open = add(file, text("&Open..."), QKeySequence::Open, [this] { ask_open(); });
   recent_ = file->addMenu(text("Open &Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
+  if (program_.importing.look)
+    add(file, text("&Import..."), QKeySequence(Qt::CTRL | Qt::Key_I), [this] { ask_import(); })
+        ->setObjectName("import");
   file->addSeparator();
   a.save = add(file, text("&Save"), QKeySequence::Save, [this] { ask_save(); });
   a.save_as = add(file, text("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { ask_save_as(); });

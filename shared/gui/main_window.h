@@ -85,6 +85,9 @@ class MainWindow : public QMainWindow {
   bool ask_save();
   bool ask_save_as();
   void ask_save_picture();
+  void ask_import();
+  /// Asks how the files are to be read, and brings them into the document as one edit.
+  void import_files(const std::vector<std::filesystem::path>& files);
   void open_asking(const std::filesystem::path& file);
   [[nodiscard]] QSettings settings() const;
   void remember_file(const std::filesystem::path& file);

@@ -12,8 +12,10 @@
 
 #include "shared/gui/error_bar.h"
 #include "shared/gui/file_filter.h"
+#include "shared/gui/importing/import_dialog.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
@@ -29,12 +31,23 @@ constexpr const char* recent_key = "recent_files";
 
 QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
 
-/// The scenario among what is dragged over the window; empty if there is none.
-QString dragged_file(const QMimeData& data) {
+/// The scenario among what is dragged over the window (empty if there is none), and what else lies on this machine.
+struct Dragged {
+  QString scenario;
+  std::vector<std::filesystem::path> others;
+};
+
+Dragged dragged_files(const QMimeData& data) {
+  Dragged files;
   for (const QUrl& url : data.urls()) {
-    if (url.isLocalFile() && url.toLocalFile().endsWith(".toml", Qt::CaseInsensitive)) return url.toLocalFile();
+    if (!url.isLocalFile()) continue;
+    const QString file = url.toLocalFile();
+    if (!file.endsWith(".toml", Qt::CaseInsensitive))
+      files.others.push_back(to_path(file));
+    else if (files.scenario.isEmpty())
+      files.scenario = file;
   }
-  return {};
+  return files;
 }
 
 }  // namespace
@@ -173,14 +186,41 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dragged_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  const Dragged files = dragged_files(*event->mimeData());
+  if (!files.scenario.isEmpty() || (program_.importing.look && !files.others.empty())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = dragged_file(*event->mimeData());
-  if (file.isEmpty()) return;
+  const Dragged files = dragged_files(*event->mimeData());
+  const bool can_import = program_.importing.look && !files.others.empty();
+  if (files.scenario.isEmpty() && !can_import) return;
   event->acceptProposedAction();
-  if (may_discard()) open_asking(to_path(file));
+  if (!files.scenario.isEmpty()) {
+    if (!may_discard()) return;
+    open_asking(to_path(files.scenario));
+  }
+  if (!can_import) return;
+  // The dialog waits until the one who let go is free again.
+  QMetaObject::invokeMethod(this, [this, files] { import_files(files.others); }, Qt::QueuedConnection);
+}
+
+void MainWindow::ask_import() {
+  const QStringList chosen = QFileDialog::getOpenFileNames(
+      this, text("Import files"), from_path(session_.document().folder()), file_filter(program_.importing.files));
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : chosen) files.push_back(to_path(file));
+  if (!files.empty()) import_files(files);
+}
+
+void MainWindow::import_files(const std::vector<std::filesystem::path>& files) {
+  if (!settle()) return;
+  const auto wording = [this](const base::Error& error) {
+    return in_words_of_the_window(error, session_.document(), program_, 0);
+  };
+  importing::ImportDialog dialog(program_, session_.document(), files, wording, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  fit_next_ = true;
+  session_.edit(dialog.document(), dialog.what());
 }
 
 QSettings MainWindow::settings() const {

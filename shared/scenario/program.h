@@ -15,6 +15,7 @@
 #include "shared/base/progress.h"
 #include "shared/scenario/document.h"
 #include "shared/scenario/field.h"
+#include "shared/scenario/importing.h"
 #include "shared/scene/layer.h"
 #include "shared/scene/pick.h"
 
@@ -177,6 +178,7 @@ struct Program {
   /// What of a state is called `what` (FieldOptions::names), for forms that offer it; may be left out.
   std::function<std::vector<std::string>(const State&, const std::string& what)> names_of{};
   Drawing drawing{};
+  Importing importing{};
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;

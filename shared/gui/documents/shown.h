@@ -14,7 +14,7 @@ enum class Shown { Input, Result, Both };
 /// the input as it is. Without panels where there is nothing to draw.
 scene::Picture picture_of(const Outcome& outcome, Shown shown);
 
-/// The lines of a panel that stand there as in the input: those are edited.
+/// The lines and markers of a panel that stand there as in the input: those are edited.
 std::set<scene::Pick> lines_of_input(const scene::Panel& panel, const Outcome& outcome);
 
 }  // namespace dobra::gui::documents

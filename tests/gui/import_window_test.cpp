@@ -1,0 +1,331 @@
+// The import dialog of both programs, driven with the mouse and the keys.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTableView>
+#include <QTabWidget>
+#include <QTest>
+#include <QTimer>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "quebra/core/operations.h"
+#include "recon/core/operations.h"
+#include "shared/gui/importing/import_dialog.h"
+#include "shared/gui/main_window.h"
+#include "shared/gui/vtk_widget.h"
+#include "shared/scenario/entries.h"
+#include "tests/shared/gui/brazilian.h"
+#include "tests/shared/gui/fake_program.h"
+
+namespace dobra::gui {
+namespace {
+
+using importing::ImportDialog;
+
+class ImportWindow : public testing::Test {
+ protected:
+  ImportWindow() {
+    window.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
+  }
+  /// Lets go of the files over the window, and does `work` in the dialog that comes up.
+  void drop(const std::vector<std::filesystem::path>& files, const std::function<void(ImportDialog&)>& work) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const auto& file : files) urls.push_back(QUrl::fromLocalFile(QString::fromStdString(file.string())));
+    data.setUrls(urls);
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    bool seen = false;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<ImportDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || seen) return;
+      seen = true;
+      look.stop();
+      EXPECT_TRUE(QTest::qWaitForWindowActive(dialog, 5000));
+      work(*dialog);
+      if (dialog->isVisible()) QTest::keyClick(dialog, Qt::Key_Escape);
+    });
+    look.start(20);
+    QDropEvent let_go({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &let_go);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return seen && QApplication::activeModalWidget() == nullptr; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.session().busy(); }, 30000));
+  }
+  template <class Widget = QWidget>
+  static Widget* part(ImportDialog& dialog, const char* name) {
+    auto* found = dialog.findChild<Widget*>(QString("import.") + name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  static void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
+  /// With the keys: opened, moved to, Enter.
+  static void choose(QComboBox* box, const QString& words) {
+    box->setFocus();
+    const int at = box->findText(words, Qt::MatchStartsWith);
+    ASSERT_GE(at, 0) << words.toStdString();
+    for (int tries = 0; box->currentIndex() != at && tries < 50; ++tries)
+      QTest::keyClick(box, box->currentIndex() < at ? Qt::Key_Down : Qt::Key_Up);
+    ASSERT_EQ(box->currentIndex(), at);
+  }
+  static void click_row(QTableView* table, int row, Qt::KeyboardModifiers keys = {}) {
+    const QRect place = table->visualRect(table->model()->index(row, 1));
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, keys, place.center());
+  }
+  static bool can_import(ImportDialog& dialog) {
+    QPushButton* ok = part<QPushButton>(dialog, "ok");
+    QTest::qWait(300);  // judged after a pause
+    return ok->isEnabled();
+  }
+  static std::string message(ImportDialog& dialog) { return part<QLabel>(dialog, "message")->text().toStdString(); }
+  static void shot(QWidget& widget, const char* name) {
+    const std::filesystem::path folder = std::filesystem::path(DOBRA_BIN_DIR).parent_path() / "screenshots";
+    std::filesystem::create_directories(folder);
+    const std::string file =
+        (folder / (std::string(name) + (widget.devicePixelRatio() > 1.5 ? "_200" : "") + ".png")).string();
+    EXPECT_TRUE(widget.grab().save(QString::fromStdString(file)));
+  }
+  std::string text() { return scenario::document_text(window.session().document()); }
+  std::vector<std::string> rules() {
+    const auto lines = scenario::entries_of(window.session().document().input, "lines");
+    const auto* found = lines.empty() ? nullptr : lines[0].find("kind");
+    return found == nullptr ? std::vector<std::string>() : std::get<std::vector<std::string>>(*found);
+  }
+
+  test::TemporaryFolder folder;
+  MainWindow window{recon::core::program()};
+};
+
+const char* lines = R"(x,z,name
+0,0,Top Sand
+500,60,Top Sand
+1000,10,Top Sand
+0,-250,Base
+500,-180,Base
+1000,-240,Base
+640,130,F3
+420,-380,F3
+0,130,Topo
+1000,135,Topo
+)";
+
+TEST_F(ImportWindow, ADroppedFileIsBroughtInAsTheDialogSaysInOneStepOfUndo) {
+  const auto file = folder.write("lines.csv", lines);
+  const std::string before = text();
+  drop({file}, [&](ImportDialog& dialog) {
+    EXPECT_TRUE(can_import(dialog));
+    auto* table = part<QTableView>(dialog, "lines");
+    ASSERT_EQ(table->model()->rowCount(), 4);
+    EXPECT_EQ(table->model()->index(3, 1).data().toString(), "Topography");
+    EXPECT_EQ(table->model()->index(3, 2).data().toString(), "guess: its name");
+    EXPECT_EQ(table->model()->index(2, 1).data().toString(), "Horizon");
+    auto* pattern = part<QLineEdit>(dialog, "pattern");
+    click(pattern);
+    QTest::keyClicks(pattern, "F?");
+    choose(part<QComboBox>(dialog, "pattern_kind"), "Fault");
+    click(pattern);
+    QTest::keyClick(pattern, Qt::Key_Return);  // applies; the dialog stays
+    ASSERT_TRUE(dialog.isVisible());
+    EXPECT_EQ(table->model()->index(2, 1).data().toString(), "Fault");
+    EXPECT_EQ(table->model()->index(2, 2).data().toString(), "pattern");
+    click_row(table, 1);
+    choose(part<QComboBox>(dialog, "kind"), "Eroded");
+    EXPECT_EQ(table->model()->index(1, 2).data().toString(), "chosen");
+    shot(dialog, "import_lines");
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    click(part(dialog, "ok"));
+  });
+  EXPECT_EQ(rules(), (std::vector<std::string>{"Base=eroded", "Topo=topography", "F?=fault"}));
+  ASSERT_TRUE(window.session().outcome()->run.complete());
+  EXPECT_EQ(window.session().history().undo_text(), "Import 'lines.csv'");
+  window.session().undo();
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(ImportWindow, WhatCannotBeReadIsSaidAndNothingChanges) {
+  const std::string before = text();
+  std::string noise;
+  for (int i = 0; i < 4000; ++i) noise += static_cast<char>((i * 7919) % 256);
+  const std::pair<const char*, std::string> files[] = {
+      {"empty.csv", ""}, {"noise.csv", noise}, {"one.csv", "x,z\n1,2\n"}, {"noise.png", noise}, {"a.xyzzy", "1 2\n"}};
+  for (const auto& [name, content] : files) {
+    drop({folder.write(name, content)}, [&](ImportDialog& dialog) {
+      EXPECT_FALSE(can_import(dialog)) << name;
+      EXPECT_FALSE(message(dialog).empty()) << name;
+      QTest::keyClick(&dialog, Qt::Key_Return);  // OK is off: Enter is nothing
+      EXPECT_TRUE(dialog.isVisible());
+    });
+  }
+  EXPECT_EQ(text(), before);
+  EXPECT_FALSE(window.session().history().can_undo());
+}
+
+TEST_F(ImportWindow, ColumnsAxisAndUnitAreAskedBesideTheFirstRows) {
+  const auto file = folder.write("picks.txt", "1 7 0.1\n2 8 0.2\n3 9 0.1\n");
+  drop({file}, [&](ImportDialog& dialog) {
+    EXPECT_FALSE(can_import(dialog));
+    EXPECT_EQ(part<QTabWidget>(dialog, "tabs")->currentIndex(), 1);
+    shot(dialog, "import_columns");
+    choose(part<QComboBox>(dialog, "height"), "3");
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    choose(part<QComboBox>(dialog, "axis"), "depth");
+    choose(part<QComboBox>(dialog, "unit"), "km");
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    QTest::keyClick(part(dialog, "ok"), Qt::Key_Space);
+  });
+  const auto horizons = scenario::entries_of(window.session().document().input, "horizon");
+  ASSERT_EQ(horizons.size(), 1U) << text();
+  EXPECT_EQ(scenario::text_in(horizons[0], "y_axis"), "down");
+  EXPECT_EQ(scenario::text_in(horizons[0], "unit"), "km");
+  EXPECT_EQ(scenario::text_in(horizons[0], "name"), "picks");
+  EXPECT_TRUE(window.session().outcome()->run.complete()) << text();
+}
+
+TEST_F(ImportWindow, FilesThatAreDroppedTogetherComeInTogether) {
+  const auto a = folder.write("a.csv", "x,z\n0,0\n100,5\n");
+  const auto b = folder.write("b.csv", "x,z\n0,-50\n100,-45\n");
+  const auto bad = folder.write("bad.csv", "x,z\nhere,there\n");
+  drop({a, bad, b}, [&](ImportDialog& dialog) {
+    EXPECT_FALSE(can_import(dialog));
+    EXPECT_NE(message(dialog).find("bad.csv"), std::string::npos) << message(dialog);
+    auto* files = part<QComboBox>(dialog, "files");
+    choose(files, "bad.csv");
+    click(part(dialog, "take_file"));
+    QTest::keyClick(part(dialog, "take_file"), Qt::Key_Space);
+    if (can_import(dialog)) {
+      ADD_FAILURE() << "ticked twice: it is taken again";
+    }
+    QTest::keyClick(part(dialog, "take_file"), Qt::Key_Space);
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    click(part(dialog, "ok"));
+  });
+  EXPECT_EQ(scenario::entries_of(window.session().document().input, "horizon").size(), 2U) << text();
+  window.session().undo();
+  EXPECT_FALSE(window.session().history().can_undo());
+}
+
+TEST_F(ImportWindow, ALineIsLeftOutByItsTickAndFoundByAClickInThePreview) {
+  const auto file = folder.write("lines.csv", lines);
+  drop({file}, [&](ImportDialog& dialog) {
+    auto* table = part<QTableView>(dialog, "lines");
+    table->setFocus();
+    click_row(table, 0);
+    table->setCurrentIndex(table->model()->index(0, 0));
+    QTest::keyClick(table, Qt::Key_Space);
+    EXPECT_EQ(table->model()->index(0, 0).data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
+    QWidget* preview = part(dialog, "preview");
+    for (int y = preview->height() - 1; y > preview->height() / 2 && table->selectionModel()->isRowSelected(0); --y)
+      QTest::mouseClick(preview, Qt::LeftButton, {}, {preview->width() / 2, y});
+    EXPECT_FALSE(table->selectionModel()->isRowSelected(0));
+    EXPECT_EQ(table->selectionModel()->selectedRows().size(), 1);
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    click(part(dialog, "ok"));
+  });
+  EXPECT_EQ(text().find("Top Sand"), std::string::npos) << text();
+  EXPECT_NE(text().find("feature = \"Base\""), std::string::npos) << text();
+}
+
+TEST_F(ImportWindow, ThousandsOfLinesKeepTheDialogAlive) {
+  std::string many = "x,z,name\n";
+  for (int i = 0; i < 5000; ++i) many += "0," + std::to_string(i) + ",line " + std::to_string(i) + "\n900," +
+                                         std::to_string(i) + ",line " + std::to_string(i) + "\n";
+  const auto file = folder.write("many.csv", many);
+  drop({file}, [&](ImportDialog& dialog) {
+    auto* table = part<QTableView>(dialog, "lines");
+    EXPECT_EQ(table->model()->rowCount(), 5000);
+    QElapsedTimer clock;
+    clock.start();
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_A, Qt::ControlModifier);
+    choose(part<QComboBox>(dialog, "kind"), "Loose");
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    EXPECT_LT(clock.elapsed(), 10000);
+  });
+}
+
+TEST_F(ImportWindow, EveryWidgetOfTheDialogHasANameAndIsWhole) {
+  const test::Brazilian language;
+  const auto a = folder.write("linhas.csv", lines);
+  const auto b = folder.write("picks.txt", "1 7 0.1\n2 8 0.2\n3 9 0.1\n");
+  drop({a, b}, [&](ImportDialog& dialog) {
+    shot(dialog, "import_lines_pt_BR");
+    for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->focusPolicy() == Qt::NoFocus) continue;
+      const auto* button = qobject_cast<const QAbstractButton*>(widget);
+      const bool inner = widget->objectName().startsWith("qt_") || qobject_cast<const QAbstractScrollArea*>(widget) ||
+                         widget->metaObject()->className() == std::string("QTabBar") ||
+                         qobject_cast<const QSplitterHandle*>(widget);
+      EXPECT_TRUE(inner || !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty()))
+          << widget->metaObject()->className() << " " << widget->objectName().toStdString();
+    }
+    part<QTabWidget>(dialog, "tabs")->setCurrentIndex(1);
+    choose(part<QComboBox>(dialog, "files"), "picks.txt");
+    QTest::qWait(300);
+    shot(dialog, "import_columns_pt_BR");
+    const QSize room = dialog.screen()->availableSize();
+    EXPECT_LE(dialog.width(), room.width());
+    EXPECT_LE(dialog.height(), room.height());
+  });
+}
+
+TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("plate.csv", "x,y,name\n0,0,plate\n10,0,plate\n10,6,plate\n0,6,plate\n0,0,plate\n"
+                                              "2,3,crack 1\n4,3,crack 1\n");
+  MainWindow window(quebra::core::program());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
+  QTimer::singleShot(200, [] {
+    auto* dialog = qobject_cast<ImportDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    QTest::qWait(300);
+    QTest::mouseClick(dialog->findChild<QWidget*>("import.ok"), Qt::LeftButton);
+  });
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDropEvent let_go({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &let_go);
+  const auto quiet = [&] { return !window.session().busy() && QApplication::activeModalWidget() == nullptr; };
+  QTest::qWait(100);
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  ASSERT_TRUE(window.session().outcome() && window.session().outcome()->run.complete());
+  ASSERT_NE(window.session().document().input.find("file"), nullptr);
+  QCoreApplication::processEvents();
+  // The crack's line is selected by a click, its end dragged.
+  VtkWidget& view = window.view();
+  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
+  QTest::keyClick(&window, Qt::Key_S);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({3, 3}));
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixel({4, 3}));
+  for (const geom::Point p : {geom::Point{4.5, 3.5}, geom::Point{5.2, 4.1}}) {
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton, Qt::AltModifier);
+    QCoreApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({5.2, 4.1}));
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  const scenario::Table& input = window.session().document().input;
+  EXPECT_EQ(input.find("file"), nullptr) << scenario::document_text(window.session().document());
+  auto cracks = scenario::entries_of(input, "crack");
+  ASSERT_EQ(cracks.size(), 1U);
+  const auto points = scenario::points_in(cracks[0]);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0], (geom::Point{2, 3}));
+  EXPECT_NEAR(points[1].x, 5.2, 0.15);
+  EXPECT_NEAR(points[1].y, 4.1, 0.15);
+  window.session().undo();
+  EXPECT_NE(window.session().document().input.find("file"), nullptr);
+}
+
+}  // namespace
+}  // namespace dobra::gui
