@@ -94,6 +94,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::vector<actions::Choice> choices();
   void add_choices_of_document(std::vector<actions::Choice>& all);
   void show_keys();
+  void copy_step();
+  void paste_step();
+  void copy_command();
   [[nodiscard]] QString undo_text() const;
   [[nodiscard]] QString redo_text() const;
 

@@ -1,11 +1,13 @@
 // What a user can ask of the window, in the order of its menus; the tools of the canvas are those of DrawBar.
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QPushButton>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QToolBar>
 #include <QTreeWidget>
@@ -14,10 +16,12 @@
 
 #include "shared/gui/actions/palette.h"
 #include "shared/gui/canvas.h"
+#include "shared/gui/documents/copied.h"
 #include "shared/gui/draw_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
+#include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 
@@ -80,9 +84,10 @@ void MainWindow::add_file_actions() {
                 .symbol = Symbol::Open,
                 .keys = {QKeySequence::Open},
                 .run = [this] { ask_open(); }});
-  actions_.add({.id = "file.recent", .text = "Open &Recent", .menu = menu, .section = "open", .list = [this](QMenu& list) {
-                  fill_recent_menu(list);
-                }});
+  actions_.add(
+      {.id = "file.recent", .text = "Open &Recent", .menu = menu, .section = "open", .list = [this](QMenu& list) {
+         fill_recent_menu(list);
+       }});
   actions_.add({.id = "file.save",
                 .text = "&Save",
                 .menu = menu,
@@ -156,6 +161,29 @@ void MainWindow::add_edit_actions() {
                   .menu = menu + "/Add &step",
                   .run = [this, name = operation.name] { emit steps_->add_asked(name); }});
   }
+  actions_.add({.id = "edit.copy_step",
+                .text = "Copy step as scenario te&xt",
+                .help = "The selected step, or the input, as a scenario writes it, on the clipboard",
+                .menu = menu,
+                .section = "copy",
+                .keys = {QKeySequence::Copy},
+                .run = [this] { copy_step(); },
+                .scope = steps_});
+  actions_.add({.id = "edit.paste_step",
+                .text = "&Paste scenario text as steps",
+                .help = "Inserts the steps on the clipboard behind the selected one",
+                .menu = menu,
+                .section = "copy",
+                .keys = {QKeySequence::Paste},
+                .run = [this] { paste_step(); },
+                .scope = steps_});
+  actions_.add({.id = "edit.copy_command",
+                .text = "Copy as co&mmand",
+                .help = "The command line that does what the window shows, on the clipboard",
+                .menu = menu,
+                .section = "copy",
+                .run = [this] { copy_command(); },
+                .enabled = [this] { return !session_.document().file.empty(); }});
   const auto selected = [this] { return steps_->selected(); };
   actions_.add({.id = "step.remove",
                 .text = "Remove the step",
@@ -175,17 +203,44 @@ void MainWindow::add_edit_actions() {
                 .run = [this, selected] { emit steps_->exchange_asked(selected() - 1, selected() - 1); },
                 .enabled = [selected] { return selected() >= 2; },
                 .scope = steps_});
-  actions_.add({.id = "step.down",
-                .text = "Move the step down",
-                .menu = menu,
-                .section = "step",
-                .symbol = Symbol::Down,
-                .keys = {QKeySequence(Qt::ALT | Qt::Key_Down)},
-                .run = [this, selected] { emit steps_->exchange_asked(selected(), selected() + 1); },
-                .enabled = [this, selected] {
-                  return selected() >= 1 && selected() < session_.document().steps.size();
-                },
-                .scope = steps_});
+  actions_.add(
+      {.id = "step.down",
+       .text = "Move the step down",
+       .menu = menu,
+       .section = "step",
+       .symbol = Symbol::Down,
+       .keys = {QKeySequence(Qt::ALT | Qt::Key_Down)},
+       .run = [this, selected] { emit steps_->exchange_asked(selected(), selected() + 1); },
+       .enabled = [this, selected] { return selected() >= 1 && selected() < session_.document().steps.size(); },
+       .scope = steps_});
+}
+
+void MainWindow::copy_step() {
+  form_->form()->commit();
+  const std::size_t part = steps_->selected();
+  QApplication::clipboard()->setText(QString::fromStdString(documents::part_text(session_.document(), part)));
+  status_->show_state(text("Copied: %1").arg(steps_->title(part)));
+}
+
+void MainWindow::paste_step() {
+  form_->form()->commit();
+  const std::size_t after = steps_->selected();
+  const std::string pasted = QApplication::clipboard()->text().toStdString();
+  base::Result<scenario::Document> made = documents::with_pasted(session_.document(), program_, after, pasted);
+  if (!made) return show_error(made.error());
+  const std::size_t count = made->steps.size() - session_.document().steps.size();
+  session_.edit(*std::move(made), text("Paste step"));
+  steps_->select(after + count);
+}
+
+void MainWindow::copy_command() {
+  if (!settle()) return;
+  const scenario::Document& document = session_.document();
+  const base::Result<scenario::Document> read = scenario::read_document(document.file);
+  const QString command =
+      QString::fromStdString(documents::command_of(document, program_, read ? std::optional(*read) : std::nullopt));
+  QApplication::clipboard()->setText(command);
+  status_->show_state(text("Copied: %1").arg(command.trimmed().section('\n', -1)));
 }
 
 void MainWindow::add_view_actions() {
@@ -220,8 +275,7 @@ void MainWindow::add_view_actions() {
   add(documents::Shown::Input, "The input", Qt::Key_1, Symbol::ShowInput);
   add(documents::Shown::Result, "The result", Qt::Key_2, Symbol::ShowResult);
   add(documents::Shown::Both, "Input and result", Qt::Key_3, Symbol::ShowBoth);
-  for (QDockWidget* each : findChildren<QDockWidget*>())
-    add_panel_action(*each);
+  for (QDockWidget* each : findChildren<QDockWidget*>()) add_panel_action(*each);
 }
 
 void MainWindow::add_panel_action(QDockWidget& panel) {
@@ -309,7 +363,8 @@ void MainWindow::add_help_actions() {
                 .section = "find",
                 .keys = {QKeySequence(Qt::CTRL | Qt::Key_K)},
                 .run = [this] { palette_->open(choices()); }});
-  actions_.add({.id = "help.keys", .text = "&Keys...", .menu = menu, .section = "find", .run = [this] { show_keys(); }});
+  actions_.add(
+      {.id = "help.keys", .text = "&Keys...", .menu = menu, .section = "find", .run = [this] { show_keys(); }});
   actions_.add({.id = "help.about",
                 .text = "&About %1",
                 .menu = menu,
@@ -324,8 +379,11 @@ std::vector<actions::Choice> MainWindow::choices() {
   for (const actions::Registry::Entry& entry : actions_.all()) {
     const Action& action = entry.action;
     if (action.list || action.id == "help.palette") continue;
-    actions::Choice choice{actions::plain(entry.made->text()), actions::menu_path(action),
-                           actions::keys_text(action.keys.mid(0, 1)), {}, entry.made->isEnabled(),
+    actions::Choice choice{actions::plain(entry.made->text()),
+                           actions::menu_path(action),
+                           actions::keys_text(action.keys.mid(0, 1)),
+                           {},
+                           entry.made->isEnabled(),
                            [made = entry.made] { made->trigger(); }};
     if (action.id.starts_with("step.add.")) choice.title = text("Add '%1'").arg(choice.title);
     if (entry.made->isCheckable() && entry.made->isChecked()) choice.title += QString::fromUtf8("  ✓");
@@ -340,8 +398,7 @@ std::vector<actions::Choice> MainWindow::choices() {
 void MainWindow::add_choices_of_document(std::vector<actions::Choice>& all) {
   const scenario::Document& document = session_.document();
   for (std::size_t part = 0; part <= document.steps.size(); ++part) {
-    all.push_back({text("Go to %1").arg(steps_->title(part)), text("Steps"), {}, "go to step",  true,
-                   [this, part] {
+    all.push_back({text("Go to %1").arg(steps_->title(part)), text("Steps"), {}, "go to step", true, [this, part] {
                      if (part > session_.document().steps.size()) return;
                      select(part);
                      steps_->setFocus();
@@ -349,14 +406,21 @@ void MainWindow::add_choices_of_document(std::vector<actions::Choice>& all) {
   }
   for (const LayerTree::Listed& layer : layers_->listed()) {
     const QString words = layer.visible ? text("Hide layer '%1'") : text("Show layer '%1'");
-    all.push_back({words.arg(layer.title), text("Layers") + QString::fromUtf8(" › ") + layer.panel, {},
-                   QString::fromStdString(layer.key) + (layer.visible ? "\nhide layer" : "\nshow layer"), true,
+    all.push_back({words.arg(layer.title),
+                   text("Layers") + QString::fromUtf8(" › ") + layer.panel,
+                   {},
+                   QString::fromStdString(layer.key) + (layer.visible ? "\nhide layer" : "\nshow layer"),
+                   true,
                    [this, layer] { layers_->set_layer_visible(layer.key, !layer.visible); }});
   }
   for (const QString& file : recent_files()) {
     const std::filesystem::path path = to_path(file);
-    all.push_back({text("Open %1").arg(from_path(path.filename())), from_path(path.parent_path()), {},
-                   file + "\nopen recent", std::filesystem::exists(path), [this, path] {
+    all.push_back({text("Open %1").arg(from_path(path.filename())),
+                   from_path(path.parent_path()),
+                   {},
+                   file + "\nopen recent",
+                   std::filesystem::exists(path),
+                   [this, path] {
                      if (may_discard()) open_asking(path);
                    }});
   }

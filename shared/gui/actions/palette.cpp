@@ -14,7 +14,7 @@
 namespace dobra::gui::actions {
 
 namespace {
-constexpr int widest = 720;    ///< Pixels.
+constexpr int widest = 720;  ///< Pixels.
 constexpr int rows_shown = 12;
 }  // namespace
 
@@ -130,7 +130,7 @@ bool Palette::eventFilter(QObject* watched, QEvent* event) {
   }
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
   const int key = static_cast<QKeyEvent*>(event)->key();
-  static const std::vector<int> ours{Qt::Key_Escape, Qt::Key_Return, Qt::Key_Enter,  Qt::Key_Down,
+  static const std::vector<int> ours{Qt::Key_Escape, Qt::Key_Return, Qt::Key_Enter,   Qt::Key_Down,
                                      Qt::Key_Up,     Qt::Key_PageUp, Qt::Key_PageDown};
   if (std::find(ours.begin(), ours.end(), key) == ours.end()) return false;
   event->accept();

@@ -242,7 +242,7 @@ TEST_F(PaletteTest, ButtonsOfTheListOfStepsAreTheActions) {
 TEST_F(PaletteTest, EveryActionIsTranslated) {
   const test::Brazilian language;
   for (const actions::Registry::Entry& entry : window.actions().all()) {
-    if (entry.action.id.starts_with("step.add.")) continue;  // words of the small program
+    if (entry.action.id.starts_with("step.add.")) continue;    // words of the small program
     if (entry.action.id.starts_with("view.panel.")) continue;  // titles of panels are translated where they are made
     for (const std::string& words : {entry.action.text, entry.action.help})
       EXPECT_TRUE(words.empty() || actions::shown(words).toStdString() != words) << entry.action.id << ": " << words;
