@@ -3767,5 +3767,121 @@
         <source>Such as #1a2b3c; by default the usual ones, one after the other.</source>
         <translation>Como #1a2b3c; por padrão as usuais, uma depois da outra.</translation>
     </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Digite o que quer fazer</translation>
+    </message>
+    <message>
+        <source>What can be done</source>
+        <translation>O que pode ser feito</translation>
+    </message>
+    <message>
+        <source>Cannot be done now</source>
+        <translation>Não pode ser feito agora</translation>
+    </message>
+    <message>
+        <source>Add &amp;step</source>
+        <translation>Acrescentar &amp;etapa</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Painéis</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action...</source>
+        <translation>&amp;Procurar uma ação...</translation>
+    </message>
+    <message>
+        <source>Lists all that can be done, filtered by what you type</source>
+        <translation>Lista tudo o que pode ser feito, filtrado pelo que se digita</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>&amp;Teclas...</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Ação</translation>
+    </message>
+    <message>
+        <source>In the menu</source>
+        <translation>No menu</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir a %1</translation>
+    </message>
+    <message>
+        <source>Hide layer &apos;%1&apos;</source>
+        <translation>Ocultar a camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Show layer &apos;%1&apos;</source>
+        <translation>Mostrar a camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message>
+        <source>no action &apos;%1&apos;</source>
+        <translation>não há ação &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be done now</source>
+        <translation>&apos;%1&apos; não pode ser feito agora</translation>
+    </message>
+    <message>
+        <source>Snap to vertices, crossings and lines; not while Alt is held</source>
+        <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
+    </message>
+    <message>
+        <source>Copy step as scenario te&amp;xt</source>
+        <translation>Copiar a etapa como te&amp;xto de cenário</translation>
+    </message>
+    <message>
+        <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
+        <translation>A etapa selecionada, ou a entrada, como um cenário a escreve, na área de transferência</translation>
+    </message>
+    <message>
+        <source>&amp;Paste scenario text as steps</source>
+        <translation>&amp;Colar texto de cenário como etapas</translation>
+    </message>
+    <message>
+        <source>Inserts the steps on the clipboard behind the selected one</source>
+        <translation>Insere as etapas da área de transferência depois da selecionada</translation>
+    </message>
+    <message>
+        <source>Copy as co&amp;mmand</source>
+        <translation>Copiar como co&amp;mando</translation>
+    </message>
+    <message>
+        <source>The command line that does what the window shows, on the clipboard</source>
+        <translation>A linha de comando que faz o que a janela mostra, na área de transferência</translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation>Copiado: %1</translation>
+    </message>
+    <message>
+        <source>Paste step</source>
+        <translation>Colar etapa</translation>
+    </message>
+    <message>
+        <source>the clipboard holds no step; copy text that begins with [[step]]</source>
+        <translation>a área de transferência não contém etapa; copie um texto que comece com [[step]]</translation>
+    </message>
+    <message>
+        <source>the clipboard&apos;s numbers are in other units than those of this document; give both the same unit_system</source>
+        <translation>os números da área de transferência estão em outras unidades que os deste documento; dê o mesmo unit_system a ambos</translation>
+    </message>
+    <message>
+        <source>Not all changes of the window are in the file: save it before you run this.</source>
+        <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
+    </message>
 </context>
 </TS>

@@ -45,6 +45,8 @@ class Canvas : public QObject {
   void set_layer_hidden(const std::string& layer, bool hidden);
 
   void set_snapping(bool on) { snapping_ = on; }
+  [[nodiscard]] bool snapping() const { return snapping_; }
+  [[nodiscard]] bool angles() const { return angles_; }
   /// Lines are drawn in multiples of 15 degrees.
   void set_angles(bool on) { angles_ = on; }
 

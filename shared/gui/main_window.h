@@ -5,18 +5,23 @@
 #include <QMainWindow>
 #include <filesystem>
 
+#include "shared/gui/actions/find.h"
+#include "shared/gui/actions/registry.h"
 #include "shared/gui/documents/shown.h"
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
 
+class QDockWidget;
 class QLabel;
 class QMenu;
 class QSettings;
-class QToolBar;
 
 namespace dobra::gui {
 
+namespace actions {
+class Palette;
+}
 class Canvas;
 class DrawBar;
 class ErrorBar;
@@ -58,6 +63,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] VtkWidget& view() { return *view_; }
   [[nodiscard]] Canvas& canvas() { return *canvas_; }
   [[nodiscard]] DrawBar& draw_bar() { return *draw_bar_; }
+  [[nodiscard]] actions::Registry& actions() { return actions_; }
+  [[nodiscard]] actions::Palette& palette() { return *palette_; }
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
@@ -69,15 +76,29 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  struct Actions;
   void make_center();
   void make_docks();
   void make_actions();
+  void add_file_actions();
+  void add_edit_actions();
+  void add_view_actions();
+  void add_panel_action(QDockWidget& panel);
+  void add_run_actions();
+  void add_help_actions();
   void make_status_bar();
   void connect_session();
-  void make_shown_actions(QMenu& menu, QToolBar& bar);
-  void make_player_actions();
   void show_player();
+  /// Whether the program has an operation that can be watched at work.
+  [[nodiscard]] bool can_watch() const;
+  /// What the palette offers now.
+  [[nodiscard]] std::vector<actions::Choice> choices();
+  void add_choices_of_document(std::vector<actions::Choice>& all);
+  void show_keys();
+  void copy_step();
+  void paste_step();
+  void copy_command();
+  [[nodiscard]] QString undo_text() const;
+  [[nodiscard]] QString redo_text() const;
 
   /// Puts what is typed into the document. False, and the error bar says why, if some of it is refused.
   bool settle();
@@ -88,7 +109,8 @@ class MainWindow : public QMainWindow {
   void open_asking(const std::filesystem::path& file);
   [[nodiscard]] QSettings settings() const;
   void remember_file(const std::filesystem::path& file);
-  void fill_recent_menu();
+  [[nodiscard]] QStringList recent_files() const;
+  void fill_recent_menu(QMenu& list);
   /// False if the user wants to stay with the unsaved document.
   bool may_discard();
   void about();
@@ -113,7 +135,8 @@ class MainWindow : public QMainWindow {
   std::string about_;
   Session session_;
   Player player_;
-  std::unique_ptr<Actions> actions_;
+  actions::Registry actions_;
+  actions::Palette* palette_ = nullptr;
   VtkWidget* view_ = nullptr;
   Canvas* canvas_ = nullptr;
   DrawBar* draw_bar_ = nullptr;
@@ -123,7 +146,6 @@ class MainWindow : public QMainWindow {
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
-  QMenu* recent_ = nullptr;
   StatusLine* status_ = nullptr;
   documents::Shown shown_ = documents::Shown::Result;
   std::optional<base::Error> error_;  ///< What the error bar says.
