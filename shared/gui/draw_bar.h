@@ -14,6 +14,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QMenu;
+class QPushButton;
 
 namespace dobra::gui {
 
@@ -35,6 +36,7 @@ class DrawBar : public QToolBar {
                 Make make);
   void add_switches(QMenu& menu, Canvas& canvas);
   void ask(const canvas::Drawn& what);
+  void ask_name(const QString& table, const QString& name);
   void ask_which(const canvas::Asked& what);
 
   Session& session_;
@@ -54,6 +56,10 @@ class NewLine : public QDialog {
           std::function<base::Result<void>(const std::string& kind, const std::string& name)> add, QWidget* parent);
 
   [[nodiscard]] std::string kind() const;
+  /// What it is called unless the user says otherwise.
+  void propose(const QString& name);
+  /// Of the button that takes what is said.
+  void call_button(const QString& words);
 
  private:
   void try_to_add();
@@ -63,6 +69,7 @@ class NewLine : public QDialog {
   QComboBox* kind_ = nullptr;
   QLineEdit* name_ = nullptr;
   QLabel* refused_ = nullptr;
+  QPushButton* add_button_ = nullptr;
 };
 
 }  // namespace dobra::gui

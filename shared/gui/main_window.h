@@ -25,6 +25,10 @@ class ParameterForm;
 class Results;
 class StatusLine;
 class VtkWidget;
+namespace view {
+class Controls;
+class ExaggerationBox;
+}  // namespace view
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -62,6 +66,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
+  [[nodiscard]] view::Controls& view_controls() { return *controls_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -78,6 +83,10 @@ class MainWindow : public QMainWindow {
   void make_shown_actions(QMenu& menu, QToolBar& bar);
   void make_player_actions();
   void show_player();
+  /// How the picture is looked at, and what is done with what is selected.
+  void make_view_controls(QMenu& look, QMenu& edit);
+  void show_view_settings();
+  [[nodiscard]] scene::Picture picture_shown() const;
 
   /// Puts what is typed into the document. False, and the error bar says why, if some of it is refused.
   bool settle();
@@ -125,6 +134,8 @@ class MainWindow : public QMainWindow {
   Results* results_ = nullptr;
   QMenu* recent_ = nullptr;
   StatusLine* status_ = nullptr;
+  view::Controls* controls_ = nullptr;
+  view::ExaggerationBox* exaggeration_ = nullptr;
   documents::Shown shown_ = documents::Shown::Result;
   std::optional<base::Error> error_;  ///< What the error bar says.
   std::size_t form_part_ = 0;         ///< Whose parameters the form shows.
