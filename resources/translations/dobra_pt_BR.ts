@@ -3986,6 +3986,80 @@
     <message>
         <source>&amp;Invert the selection</source>
         <translation>&amp;Inverter a seleção</translation>
+        <source>Type what you want to do</source>
+        <translation>Digite o que quer fazer</translation>
+    </message>
+    <message>
+        <source>What can be done</source>
+        <translation>O que pode ser feito</translation>
+    </message>
+    <message>
+        <source>Cannot be done now</source>
+        <translation>Não pode ser feito agora</translation>
+    </message>
+    <message>
+        <source>Add &amp;step</source>
+        <translation>Acrescentar &amp;etapa</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Painéis</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action...</source>
+        <translation>&amp;Procurar uma ação...</translation>
+    </message>
+    <message>
+        <source>Lists all that can be done, filtered by what you type</source>
+        <translation>Lista tudo o que pode ser feito, filtrado pelo que se digita</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>&amp;Teclas...</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Ação</translation>
+    </message>
+    <message>
+        <source>In the menu</source>
+        <translation>No menu</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir a %1</translation>
+    </message>
+    <message>
+        <source>Hide layer &apos;%1&apos;</source>
+        <translation>Ocultar a camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Show layer &apos;%1&apos;</source>
+        <translation>Mostrar a camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message>
+        <source>no action &apos;%1&apos;</source>
+        <translation>não há ação &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be done now</source>
+        <translation>&apos;%1&apos; não pode ser feito agora</translation>
+    </message>
+    <message>
+        <source>Snap to vertices, crossings and lines; not while Alt is held</source>
+        <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
+    </message>
+    <message>
+        <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
+        <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
     </message>
 </context>
 </TS>

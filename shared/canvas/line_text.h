@@ -17,8 +17,9 @@ struct NamedLine {
   geom::Polyline line;
 };
 
-/// A vertex on each text line, its coordinates parted by a tab; "# name" before each line and an empty text line between
-/// two. A closed line ends with its first point. Decimals stand behind a point, and numbers read back to the same bits.
+/// A vertex on each text line, its coordinates parted by a tab; "# name" before each line and an empty text line
+/// between two. A closed line ends with its first point. Decimals stand behind a point, and numbers read back to the
+/// same bits.
 std::string text_of_lines(std::span<const NamedLine> lines);
 
 /// What text_of_lines writes; two columns of a spreadsheet, with a header or without, decimals behind a point or (where

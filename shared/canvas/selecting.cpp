@@ -42,8 +42,7 @@ std::string selection_text(const Workspace& work) {
     name = work.title(pick);
   }
   if (lines == 0) return {};
-  const std::string who =
-      lines == 1 && !name.empty() ? name : fmt::format(fmt::runtime(translated("{} lines")), lines);
+  const std::string who = lines == 1 && !name.empty() ? name : fmt::format(fmt::runtime(translated("{} lines")), lines);
   return with_decimal_mark(fmt::format(fmt::runtime(translated("{}: {:.6g} {}, {} vertices")), who,
                                        length / work.unit.size, work.unit.name, vertices));
 }

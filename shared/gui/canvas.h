@@ -48,11 +48,14 @@ class Canvas : public QObject {
   void set_layer_hidden(const std::string& layer, bool hidden);
 
   void set_snapping(bool on) { snapping_ = on; }
+  [[nodiscard]] bool snapping() const { return snapping_; }
+  [[nodiscard]] bool angles() const { return angles_; }
   /// Lines are drawn in multiples of 15 degrees.
   void set_angles(bool on) { angles_ = on; }
 
   /// Places without another snap go to the crossings of the ticks of the axes.
   void set_grid_snapping(bool on) { grid_snapping_ = on; }
+  [[nodiscard]] bool grid_snapping() const { return grid_snapping_; }
 
   void select_all();
   void invert_selection();

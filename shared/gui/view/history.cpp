@@ -6,7 +6,7 @@ namespace dobra::gui::view {
 
 namespace {
 
-constexpr std::int64_t one_way = 1000;       ///< Milliseconds between moves that belong together.
+constexpr std::int64_t one_way = 1000;  ///< Milliseconds between moves that belong together.
 constexpr std::size_t most_remembered = 200;
 
 }  // namespace

@@ -26,8 +26,7 @@ TEST(LineText, ColumnsOfASpreadsheetAreReadHoweverTheyAreParted) {
   for (const char* text :
        {"0.5\t-1\n2\t-3.25\n", "0,5\t-1\n2\t-3,25", "0.5;-1\r\n2;-3.25\r\n", "0,5;-1\n2;-3,25", "0.5,-1\n2,-3.25",
         "0.5, -1\n2, -3.25", "  0.5   -1\n 2  -3.25  ", "x\tz\n0.5\t-1\n2\t-3.25\t17\tremark", "x;z\n0.5;-1\n2;-3.25",
-        "[[0.5, -1], [2, -3.25]]", "points = [[0.5, -1],\n          [2.0, -3.25]]\n",
-        "0.5\t\u22121\n2\t\u22123.25"}) {
+        "[[0.5, -1], [2, -3.25]]", "points = [[0.5, -1],\n          [2.0, -3.25]]\n", "0.5\t\u22121\n2\t\u22123.25"}) {
     const auto read = lines_of_text(text);
     ASSERT_TRUE(read.ok()) << text << read.error().message;
     ASSERT_EQ(read->size(), 1U) << text;

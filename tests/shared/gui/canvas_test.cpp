@@ -46,7 +46,7 @@ class CanvasTest : public test::WindowFixture {
     QCoreApplication::sendEvent(&window.view(), &event);
   }
   void key(Qt::Key key) { QTest::keyClick(&window.view(), key); }
-  void take_up(const char* tool) { ASSERT_TRUE(window.draw_bar().take_up(tool)); }
+  void take_up(const char* tool) { ASSERT_TRUE(window.actions().trigger(std::string("draw.") + tool)); }
   /// Types a name into the question what was drawn, and presses Enter.
   void answer(const char* name) {
     auto* timer = new QTimer(&window);

@@ -1,6 +1,7 @@
 // What is typed reaches the document by the keys and clicks that a person uses.
 
 #include <QAccessible>
+#include <QAction>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
@@ -287,10 +288,8 @@ TEST_F(Keys, NoJournalStaysWhereNothingIsUnsaved) {
 TEST_F(Keys, RecentFilesAreInTheMenuAndOpen) {
   open_waves();
   ASSERT_TRUE(window.save(folder / "second.toml").ok());
-  QMenu* recent = nullptr;
-  for (QMenu* menu : window.findChildren<QMenu*>()) {
-    if (menu->title() == "Open &Recent") recent = menu;
-  }
+  ASSERT_NE(window.actions().find("file.recent"), nullptr);
+  QMenu* recent = window.actions().find("file.recent")->menu();
   ASSERT_NE(recent, nullptr);
   emit recent->aboutToShow();
   ASSERT_GE(recent->actions().size(), 2);

@@ -31,8 +31,8 @@ TEST(ViewSettings, AnExaggerationIsReadWithItsSignAndWithEitherMark) {
 TEST(ViewSettings, FillingIsFiniteForWhateverThereIsToShow) {
   const geom::Box plot{{0, 0}, {800, 400}};
   const double huge = std::numeric_limits<double>::max();
-  const geom::Box boxes[] = {{{0, 0}, {0, 0}},         {{0, 0}, {1000, 0}},  {{5, -3}, {5, 100}},
-                             {{-huge, 0}, {huge, 1}},  {{0, 0}, {1e-300, 1}}, {},
+  const geom::Box boxes[] = {{{0, 0}, {0, 0}},        {{0, 0}, {1000, 0}},   {{5, -3}, {5, 100}},
+                             {{-huge, 0}, {huge, 1}}, {{0, 0}, {1e-300, 1}}, {},
                              {{0, 0}, {NAN, 1}}};
   for (const geom::Box& box : boxes) {
     const scene::Panel panel = section(box);

@@ -11,7 +11,7 @@
 #include "shared/gui/canvas.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/draw_bar.h"
-#include "shared/gui/view/controls.h"
+#include "shared/gui/view/exaggeration_box.h"
 #include "tests/shared/gui/window_fixture.h"
 
 namespace dobra::gui {
@@ -23,8 +23,10 @@ class ViewTest : public test::WindowFixture {
  protected:
   /// Settings are remembered: the next test is to find none.
   void TearDown() override {
-    for (const char* name : {"view.panels.0", "view.unit.0", "view.legend.0"}) action(name)->trigger();
-    for (const char* name : {"view.linked", "view.grid"}) action(name)->setChecked(false);
+    for (const char* name : {"view.panels.as_fits", "view.unit.as_read", "view.legend.usual"}) action(name)->trigger();
+    for (const char* name : {"view.linked", "view.grid"}) {
+      if (action(name)->isChecked()) action(name)->trigger();
+    }
   }
   void open_bumps(const std::string& steps = {}) {
     open_waves(
@@ -67,9 +69,7 @@ class ViewTest : public test::WindowFixture {
   }
   std::size_t count() { return test::bumps_of(window.session().document()).size(); }
   const canvas::Selection& selection() { return window.canvas().workspace().selection; }
-  std::size_t handles() {
-    return window.canvas().tool().overlay(window.canvas().workspace()).handles.size();
-  }
+  std::size_t handles() { return window.canvas().tool().overlay(window.canvas().workspace()).handles.size(); }
   bool is_selecting() { return window.canvas().tool().cursor() == canvas::Cursor::Arrow; }
   /// How many times as long a length along z is drawn as one along x.
   double drawn_exaggeration(std::size_t panel = 0) {
@@ -167,7 +167,7 @@ TEST_F(ViewTest, EverythingIsTrueWhileTheViewIsExaggerated) {
   EXPECT_NEAR(bump(0)[1].x, 520.0, size);
   EXPECT_NEAR(bump(0)[1].y, 330.0, size / 5);
   // A typed direction is a true one.
-  ASSERT_TRUE(window.draw_bar().take_up("line"));
+  ASSERT_TRUE(window.actions().trigger("draw.line"));
   QTest::keyClicks(&window.view(), "1");
   QTest::keyClicks(focus(), "00;100");
   press(Qt::Key_Return);
@@ -185,7 +185,7 @@ TEST_F(ViewTest, EverythingIsTrueWhileTheViewIsExaggerated) {
   press(Qt::Key_S);
   click_at({150, 150});
   ASSERT_EQ(selection().size(), 1U);
-  ASSERT_TRUE(window.draw_bar().take_up("rotate"));
+  ASSERT_TRUE(window.actions().trigger("draw.rotate"));
   click_at({100, 100});
   QTest::keyClicks(&window.view(), "9");
   QTest::keyClicks(focus(), "0");
@@ -199,7 +199,7 @@ TEST_F(ViewTest, APerpendicularMeetsItsLineAtARightAngleOfTheModel) {
   open_bumps();
   exaggerate("5");
   press(Qt::Key_F);
-  ASSERT_TRUE(window.draw_bar().take_up("line"));
+  ASSERT_TRUE(window.actions().trigger("draw.line"));
   QTest::keyClicks(&window.view(), "6");
   QTest::keyClicks(focus(), "50;250");
   press(Qt::Key_Return);
@@ -218,9 +218,7 @@ TEST_F(ViewTest, FillExaggeratesAThinSectionUntilItFillsTheCanvas) {
       "dobra = 1\nprogram = \"waves\"\n[input]\namplitude = 0.0\n"
       "[[input.bump]]\nname = \"A\"\npoints = [[0, 0], [100000, 0], [100000, 1000]]\n");
   take_focus();
-  for (QAction* each : window.findChildren<QAction*>("view.exaggeration")) {
-    if (each->text() == "Fill the canvas") each->trigger();
-  }
+  action("view.exaggeration.fill")->trigger();
   for (std::size_t panel = 0; panel < 2; ++panel) {
     EXPECT_GT(drawn_exaggeration(panel), 1.5);
     EXPECT_TRUE(sees({100000, 1000}, panel));
@@ -235,13 +233,13 @@ TEST_F(ViewTest, PanelsStandAsIsAskedAndThatIsRemembered) {
   open_bumps();
   const auto beside = [&] { return window.view().plot(0).right() < window.view().plot(1).left(); };
   const auto above = [&] { return window.view().plot(0).bottom() < window.view().plot(1).top(); };
-  action("view.panels.1")->trigger();
+  action("view.panels.row")->trigger();
   EXPECT_TRUE(beside());
-  action("view.panels.2")->trigger();
+  action("view.panels.column")->trigger();
   EXPECT_TRUE(above());
   const MainWindow another(program);
-  EXPECT_TRUE(another.findChild<QAction*>("view.panels.2")->isChecked());
-  action("view.panels.0")->trigger();
+  EXPECT_TRUE(another.findChild<QAction*>("view.panels.column")->isChecked());
+  action("view.panels.as_fits")->trigger();
 }
 
 TEST_F(ViewTest, LinkedPanelsMoveTogetherAndOthersDoNot) {
@@ -251,7 +249,7 @@ TEST_F(ViewTest, LinkedPanelsMoveTogetherAndOthersDoNot) {
   drag(Qt::MiddleButton, middle_of(0), middle_of(0) + QPointF(30, -12));
   EXPECT_NE(centres().first, before.first);
   EXPECT_EQ(centres().second, before.second);
-  action("view.linked")->setChecked(true);
+  action("view.linked")->trigger();
   before = centres();
   drag(Qt::MiddleButton, middle_of(1), middle_of(1) + QPointF(30, -12));
   const geom::Vector first = centres().first - before.first;
@@ -262,7 +260,7 @@ TEST_F(ViewTest, LinkedPanelsMoveTogetherAndOthersDoNot) {
   turn_wheel(middle_of(0) + QPointF(40, 10), 3);
   EXPECT_NE(centres().second, before.second);
   EXPECT_NEAR(geom::length((centres().second - centres().first) - (before.second - before.first)), 0.0, 1e-9);
-  action("view.linked")->setChecked(false);
+  action("view.linked")->trigger();
 }
 
 TEST_F(ViewTest, AltLeftAndAltRightGoThroughWhatWasSeen) {
@@ -303,7 +301,7 @@ TEST_F(ViewTest, TheHandPansAndNothingElse) {
 
 TEST_F(ViewTest, SpaceInTheMiddleOfALinePansAndAddsNoPoint) {
   open_bumps();
-  ASSERT_TRUE(window.draw_bar().take_up("line"));
+  ASSERT_TRUE(window.actions().trigger("draw.line"));
   click_at({200, 200});
   const auto last = window.canvas().tool().last();
   ASSERT_TRUE(last);
@@ -449,8 +447,10 @@ TEST_F(ViewTest, CutIsOneStepOfUndoAndPasteAsksTheName) {
 TEST_F(ViewTest, WhatCannotBePastedIsSaidAndWhatASpreadsheetHoldsIsDrawn) {
   open_bumps();
   const std::string before = text();
-  for (const auto& [held, said] : {std::pair("dear all", "holds no points"), {"1\t2\nx\ty", "line 2"},
-                                   {"", "holds no points"}, {"5\t5", "cannot be drawn"}}) {
+  for (const auto& [held, said] : {std::pair("dear all", "holds no points"),
+                                   {"1\t2\nx\ty", "line 2"},
+                                   {"", "holds no points"},
+                                   {"5\t5", "cannot be drawn"}}) {
     QApplication::clipboard()->setText(held);
     press(Qt::Key_V, Qt::ControlModifier);
     EXPECT_EQ(text(), before) << held;
@@ -474,7 +474,7 @@ TEST_F(ViewTest, PlacesGoToTheGridButFirstToWhatIsThere) {
     const geom::Vector step = window.view().tick_step(0);
     ASSERT_GT(step.x, 0.0);
     ASSERT_GT(step.y, 0.0);
-    ASSERT_TRUE(window.draw_bar().take_up("line"));
+    ASSERT_TRUE(window.actions().trigger("draw.line"));
     const Point node{std::round(650 / step.x) * step.x, std::round(210 / step.y) * step.y};
     const QPoint near = pixel(node) + QPoint(4, -3);
     move(near);
@@ -497,11 +497,11 @@ TEST_F(ViewTest, PlacesGoToTheGridButFirstToWhatIsThere) {
 
 TEST_F(ViewTest, FeetAreShownAndTypedAndMetresAreWritten) {
   open_bumps();
-  action("view.unit.3")->trigger();
+  action("view.unit.ft")->trigger();
   move(pixel({304.8, 100}));
   EXPECT_EQ(label("status.place").substr(0, 7), "x = 100");
   EXPECT_TRUE(label("status.place").ends_with(" ft")) << label("status.place");
-  ASSERT_TRUE(window.draw_bar().take_up("line"));
+  ASSERT_TRUE(window.actions().trigger("draw.line"));
   QTest::keyClicks(&window.view(), "1");
   QTest::keyClicks(focus(), "000;0");
   press(Qt::Key_Return);
@@ -518,14 +518,14 @@ TEST_F(ViewTest, FeetAreShownAndTypedAndMetresAreWritten) {
   press(Qt::Key_S);
   click_at({300, 475});
   EXPECT_EQ(label("status.hint"), "B: 1352.72 ft, 2 vertices");
-  action("view.unit.0")->trigger();
+  action("view.unit.as_read")->trigger();
   move(pixel({304.8, 100}));
   EXPECT_TRUE(label("status.place").ends_with(" m")) << label("status.place");
 }
 
 TEST_F(ViewTest, TheInputIsAGhostUnderTheResultAndEditedThere) {
   open_bumps("[[step]]\noperation = \"lift\"\nby = 100.0\n");
-  action("view.panels.3")->trigger();
+  action("view.panels.ghost")->trigger();
   ASSERT_EQ(window.view().panel_count(), 2U);
   for (const char* typed : {"1", "5"}) {
     exaggerate(typed);
@@ -547,7 +547,7 @@ TEST_F(ViewTest, TheInputIsAGhostUnderTheResultAndEditedThere) {
     EXPECT_EQ(bump(0)[1], (Point{500, 300}));
     press(Qt::Key_Escape);
   }
-  action("view.panels.0")->trigger();
+  action("view.panels.as_fits")->trigger();
   EXPECT_EQ(window.view().panel_count(), 2U);
   click_at({300, 300});
   EXPECT_TRUE(selection().empty());
