@@ -184,6 +184,7 @@ void MainWindow::add_edit_actions() {
                 .section = "copy",
                 .run = [this] { copy_command(); },
                 .enabled = [this] { return !session_.document().file.empty(); }});
+  add_selection_actions();
   const auto selected = [this] { return steps_->selected(); };
   actions_.add({.id = "step.remove",
                 .text = "Remove the step",
@@ -253,6 +254,7 @@ void MainWindow::add_view_actions() {
                 .symbol = Symbol::Fit,
                 .keys = {QKeySequence(Qt::Key_F)},
                 .run = [this] { view_->fit(); }});
+  add_look_actions();
   const QString kept = settings().value(shown_key, "result").toString();
   const auto add = [&](documents::Shown shown, const char* words, int key, Symbol symbol) {
     if (kept == name_of(shown)) shown_ = shown;
