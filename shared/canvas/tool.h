@@ -72,7 +72,17 @@ struct Asked {
   std::vector<std::pair<std::string, Edited>> answers;
 };
 
-using Change = std::variant<Drawn, Edited, Dropped, Told, Asked>;
+/// A place that something outside the canvas has asked for.
+struct Pointed {
+  geom::Point at;                                  ///< With the snap.
+  geom::Point under;                               ///< Under the cursor, without it.
+  std::optional<scene::Pick> line = std::nullopt;  ///< That lies there.
+};
+
+/// What was asked for is not wanted any more.
+struct NotPointed {};
+
+using Change = std::variant<Drawn, Edited, Dropped, Told, Asked, Pointed, NotPointed>;
 
 class Tool {
  public:
@@ -120,6 +130,10 @@ enum class Drawing { Line, Polygon, Rectangle, Circle, Point };
 std::unique_ptr<Tool> make_select_tool();
 std::unique_ptr<Tool> make_draw_tool(Drawing drawing);
 std::unique_ptr<Tool> make_measure_tool();
+
+/// Waits for one click, snaps on the way, and says Pointed, or NotPointed at Escape.
+/// @param hint  what is to be clicked, translated.
+std::unique_ptr<Tool> make_point_tool(std::string hint);
 
 enum class LineWork { InsertVertex, Split, Join, Extend, Trim };
 std::unique_ptr<Tool> make_line_tool(LineWork work);

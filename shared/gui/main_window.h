@@ -25,6 +25,9 @@ class ParameterForm;
 class Results;
 class StatusLine;
 class VtkWidget;
+namespace vertices {
+class VertexPanel;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -61,6 +64,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
+  [[nodiscard]] vertices::VertexPanel& vertices() { return *vertices_; }
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
@@ -123,6 +127,7 @@ class MainWindow : public QMainWindow {
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
+  vertices::VertexPanel* vertices_ = nullptr;
   QMenu* recent_ = nullptr;
   StatusLine* status_ = nullptr;
   documents::Shown shown_ = documents::Shown::Result;
