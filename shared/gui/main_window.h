@@ -34,6 +34,9 @@ class VtkWidget;
 namespace view {
 class ExaggerationBox;
 }
+namespace vertices {
+class VertexPanel;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -72,6 +75,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
+  [[nodiscard]] vertices::VertexPanel& vertices() { return *vertices_; }
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
@@ -162,6 +166,7 @@ class MainWindow : public QMainWindow {
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
+  vertices::VertexPanel* vertices_ = nullptr;
   StatusLine* status_ = nullptr;
   view::Settings look_;
   view::ExaggerationBox* exaggeration_ = nullptr;
