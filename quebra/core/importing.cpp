@@ -200,13 +200,13 @@ Result<scenario::Imported> take_in(scenario::Document document, const ImportLook
   if (document.input.find("file") == nullptr && !clash) return take_file(std::move(document), keys);
   const char* why = clash ? "Curves of these names are there already: those of the file become curves of the scenario."
                           : "The scenario has a file already: the curves of this one become curves of the scenario.";
-  if (!sketch.regions.empty() || !sketch.points.empty() || !sketch.areas.empty() || sketch.hole_points) {
-    const bool names = !sketch.regions.empty() || !sketch.points.empty() || sketch.hole_points ||
-                       std::any_of(sketch.areas.begin(), sketch.areas.end(), [](const auto& a) { return !a.name.empty(); });
-    if (names)
-      return refused(file.file, translated("this file names materials, points or holes besides its curves, and only one "
-                                           "such file can be in a scenario; open it in a scenario of its own"));
-  }
+  // A polygon's name is also that of its ring, and stays there.
+  const bool names_areas = std::any_of(sketch.areas.begin(), sketch.areas.end(), [](const sketch::Area& area) {
+    return !area.name.empty() && (area.rings.size() != 1 || area.rings.front() != area.name);
+  });
+  if (!sketch.regions.empty() || !sketch.points.empty() || sketch.hole_points || names_areas)
+    return refused(file.file, translated("this file names materials, points or holes besides its curves, and only one "
+                                         "such file can be in a scenario; open it in a scenario of its own"));
   return take_curves(std::move(document), std::move(sketch), {translated(why)});
 }
 
