@@ -1,4 +1,5 @@
 // The window and its files: opening, saving, what is asked before something is lost, and what was lost before.
+#include <QBoxLayout>
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,9 +11,11 @@
 #include <QSettings>
 #include <set>
 
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/importing/import_dialog.h"
+#include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
 #include "shared/gui/messages.h"
@@ -222,6 +225,23 @@ void MainWindow::import_files(const std::vector<std::filesystem::path>& files) {
   if (dialog.exec() != QDialog::Accepted) return;
   fit_next_ = true;
   session_.edit(dialog.document(), dialog.what());
+}
+
+void MainWindow::make_taken_in_bar(QBoxLayout& column) {
+  taken_in_bar_ = new importing::TakenInBar;
+  column.addWidget(taken_in_bar_);
+  connect(taken_in_bar_, &importing::TakenInBar::beside_asked, this, [this] { keep_lines_beside(true); });
+  connect(taken_in_bar_, &importing::TakenInBar::undo_asked, this, [this] { session_.undo(); });
+  // Another document, or the one before: what was said is not of it. What is said of an edit comes after it.
+  connect(&session_, &Session::document_changed, taken_in_bar_, &QWidget::hide);
+}
+
+void MainWindow::keep_lines_beside(bool beside) {
+  if (!settle()) return;
+  session_.edit(documents::with_lines_beside(session_.document(), beside),
+                beside ? text("Keep lines in a file beside") : text("Keep lines in the scenario"));
+  if (beside)
+    status_->show_state(text("Lines are saved in %1").arg(QString::fromStdString(session_.document().lines_file)));
 }
 
 QSettings MainWindow::settings() const {
