@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDropEvent>
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 
 #include "quebra/core/operations.h"
 #include "recon/core/operations.h"
@@ -24,6 +26,7 @@
 #include "shared/gui/main_window.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/scenario/entries.h"
+#include "shared/scenario/runner.h"
 #include "tests/shared/gui/brazilian.h"
 #include "tests/shared/gui/fake_program.h"
 
@@ -255,6 +258,95 @@ TEST_F(ImportWindow, ThousandsOfLinesKeepTheDialogAlive) {
   });
 }
 
+/// As spreadsheets and old machines write them: the same three points, whatever stands around them.
+TEST_F(ImportWindow, UntidyTextsComeInAsTheyAreMeant) {
+  const std::pair<const char*, std::string> files[] = {
+      {"bom.csv", "\xEF\xBB\xBFx,z\r\n0,1.5\r\n10,2.5\r\n20,1.5\r\n"},
+      {"empty lines.txt", "\n\n# picked by hand\n0   1.5\n\t10\t2.5   \n20 1.5"},
+      {"mac.txt", "0 1.5\r10 2.5\r20 1.5\r"},
+      {"exponents.txt", "0 15e-1\n1.0E1 2.5d0\n20 1.5\n"}};
+  for (const auto& [name, content] : files) {
+    drop({folder.write(name, content)}, [&](ImportDialog& dialog) {
+      EXPECT_TRUE(can_import(dialog)) << name << ": " << message(dialog);
+      click(part(dialog, "ok"));
+    });
+    ASSERT_TRUE(window.session().outcome() && window.session().outcome()->input) << name << "\n" << text();
+    std::vector<geom::Polyline> shown;
+    for (const scene::Panel& panel : window.session().outcome()->input->panels) {
+      for (const scene::Layer& layer : panel.layers) {
+        const auto* all = std::get_if<scene::Lines>(&layer.content);
+        if (all != nullptr) shown.insert(shown.end(), all->lines.begin(), all->lines.end());
+      }
+    }
+    const std::vector<geom::Point> meant{{0, 1.5}, {10, 2.5}, {20, 1.5}};
+    EXPECT_TRUE(std::any_of(shown.begin(), shown.end(), [&](const auto& line) { return line.points == meant; }))
+        << name << "\n"
+        << text();
+    window.session().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.session().busy(); }, 30000));
+  }
+}
+
+TEST_F(ImportWindow, WhatIsWrongInAFileIsSaidWithItsLine) {
+  const std::pair<std::string, const char*> files[] = {
+      {"x;z\n0;1\n10,2\n20;3\n", "mixed.csv:3"}, {"x,z\n0,1\n10,two\n20,3\n", "mixed.csv:3"},
+      {"x,z\n0,1\n10\n20,3\n", "mixed.csv:3"},   {"x,z\n0,1\n10,nan\n20,3\n", "mixed.csv:3"},
+      {"x,z\n0,1\n10,1e999\n", "mixed.csv:3"},    {"x;z\n0;1\n10;2,5\n20;1\n", "mixed.csv:3"}};
+  for (const auto& [content, place] : files) {
+    drop({folder.write("mixed.csv", content)}, [&](ImportDialog& dialog) {
+      EXPECT_FALSE(can_import(dialog)) << content;
+      EXPECT_NE(message(dialog).find(place), std::string::npos) << content << message(dialog);
+      EXPECT_EQ(message(dialog).find("--"), std::string::npos) << "speaks of a command line: " << message(dialog);
+    });
+  }
+  EXPECT_FALSE(window.session().history().can_undo());
+}
+
+TEST_F(ImportWindow, AFolderAFileThatIsGoneAndOneThatCannotBeReadAreSaid) {
+  const auto closed = folder.write("closed.csv", "0,1\n2,3\n");
+  std::filesystem::permissions(closed, std::filesystem::perms::none);
+  std::filesystem::create_directory(folder / "folder.csv");
+  std::vector<std::filesystem::path> files{folder / "folder.csv", folder / "gone.csv"};
+  if (!std::ifstream(closed)) files.push_back(closed);  // root reads everything
+  for (const auto& file : files) {
+    drop({file}, [&](ImportDialog& dialog) {
+      EXPECT_FALSE(can_import(dialog));
+      EXPECT_NE(message(dialog).find(file.filename().string()), std::string::npos) << message(dialog);
+    });
+  }
+  std::filesystem::permissions(closed, std::filesystem::perms::owner_all);
+}
+
+TEST_F(ImportWindow, ADroppedScenarioIsOpenedWithoutTheDialog) {
+  const auto file = folder.write("a.toml", "dobra = 1\nprogram = \"recon\"\ntitle = \"mine\"\n[[input.horizon]]\n"
+                                           "name = \"A\"\npoints = [[0, 0], [9, 1]]\n");
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &enter);
+  QDropEvent let_go({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &let_go);
+  QTest::qWait(200);
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+  EXPECT_EQ(window.session().document().title, "mine");
+  EXPECT_FALSE(window.session().history().can_undo());
+}
+
+TEST_F(ImportWindow, TwoHundredThousandPointsComeIn) {
+  std::string many = "x,z\n";
+  for (int i = 0; i < 200000; ++i) many += std::to_string(i) + "," + std::to_string((i * 7919) % 101) + "\n";
+  const auto file = folder.write("many.csv", many);
+  QElapsedTimer clock;
+  clock.start();
+  drop({file}, [&](ImportDialog& dialog) {
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    EXPECT_EQ(part<QTableView>(dialog, "lines")->model()->index(0, 3).data().toString(), "200000");
+    EXPECT_LT(clock.elapsed(), 5000);
+    click(part(dialog, "ok"));
+  });
+  EXPECT_LT(text().size(), 500U);  // the file stays the source
+}
+
 TEST_F(ImportWindow, EveryWidgetOfTheDialogHasANameAndIsWhole) {
   const test::Brazilian language;
   const auto a = folder.write("linhas.csv", lines);
@@ -295,6 +387,8 @@ TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
   });
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &enter);
   QDropEvent let_go({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
   QCoreApplication::sendEvent(&window, &let_go);
   const auto quiet = [&] { return !window.session().busy() && QApplication::activeModalWidget() == nullptr; };
@@ -326,6 +420,117 @@ TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
   EXPECT_NEAR(points[1].y, 4.1, 0.15);
   window.session().undo();
   EXPECT_NE(window.session().document().input.find("file"), nullptr);
+}
+
+/// Curves of a file, dragged and kept in a file beside: the source stays, undo gives back every byte, and what is
+/// opened again and run by a runner is the same.
+TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
+  const test::TemporaryFolder folder;
+  const std::string source = "x,y,name\n0,0,plate\n10,0,plate\n10,6,plate\n0,6,plate\n0,0,plate\n"
+                             "2,3,crack 1\n4,3,crack 1\n";
+  folder.write("plate.csv", source);
+  const std::string toml = "# mine\ndobra = 1\nprogram = \"quebra\"\n\n[input]\nfile =   \"plate.csv\"\n"
+                           "kind = [\"crack*=crack\"]\n";
+  const auto file = folder.write("plate.toml", toml);
+  MainWindow window(quebra::core::program());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
+  ASSERT_TRUE(window.open(file));
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 5000));
+  const auto quiet = [&] { return !window.session().busy(); };
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  QCoreApplication::processEvents();
+  VtkWidget& view = window.view();
+  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
+  QTest::keyClick(&window, Qt::Key_S);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({3, 3}));
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixel({4, 3}));
+  for (const geom::Point p : {geom::Point{4.5, 3.5}, geom::Point{5.2, 4.1}}) {
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton, Qt::AltModifier);
+    QCoreApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({5.2, 4.1}));
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  auto* said = window.findChild<QLabel*>("taken_in_bar.words");
+  ASSERT_NE(said, nullptr);
+  EXPECT_TRUE(said->isVisible());
+  EXPECT_TRUE(said->text().contains("plate.csv")) << said->text().toStdString();
+  const std::filesystem::path shots = std::filesystem::path(DOBRA_BIN_DIR).parent_path() / "screenshots";
+  std::filesystem::create_directories(shots);
+  EXPECT_TRUE(window.grab().save(QString::fromStdString((shots / "taken_in.png").string())));
+  QTest::mouseClick(window.findChild<QPushButton*>("taken_in_bar.beside"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  EXPECT_FALSE(said->isVisible());
+  QTest::keyClick(&view, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(folder.read("plate.csv"), source);
+  EXPECT_EQ(folder.read("plate.toml").find("points"), std::string::npos) << folder.read("plate.toml");
+  EXPECT_NE(folder.read("plate.toml").find("lines_file = \"plate.lines.toml\""), std::string::npos);
+  EXPECT_NE(folder.read("plate.lines.toml").find("[[input.crack]]"), std::string::npos);
+  EXPECT_FALSE(window.session().changed_on_disk());
+  const std::string report = scenario::report_json(window.session().document(), quebra::core::program(),
+                                                   window.session().outcome()->run);
+  const auto read = scenario::read_document(file);
+  ASSERT_TRUE(read) << base::to_string(read.error());
+  scenario::Runner runner(quebra::core::program());
+  EXPECT_EQ(scenario::report_json(*read, quebra::core::program(), runner.run(*read)), report);
+  // The same picture in another window.
+  MainWindow again(quebra::core::program());
+  ASSERT_TRUE(again.open(file));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.session().busy(); }, 20000));
+  const auto lines_of = [](MainWindow& of) {
+    std::map<std::pair<std::string, std::uint32_t>, geom::Polyline> lines;
+    for (const scene::Panel& panel : of.session().outcome()->input->panels) {
+      for (const scene::Layer& layer : panel.layers) {
+        const auto* all = std::get_if<scene::Lines>(&layer.content);
+        for (std::uint32_t i = 0; all != nullptr && i < all->lines.size(); ++i) lines[{layer.key, i}] = all->lines[i];
+      }
+    }
+    return lines;
+  };
+  EXPECT_EQ(lines_of(again), lines_of(window));
+  // Another program changes the file beside: that is seen.
+  folder.write("plate.lines.toml", folder.read("plate.lines.toml") + "# theirs\n");
+  EXPECT_TRUE(window.session().changed_on_disk());
+  // Undone to the end and saved: the first bytes.
+  for (int k = 0; k < 2; ++k) QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(window.session().history().can_undo());
+  ASSERT_TRUE(window.save(file));
+  EXPECT_EQ(folder.read("plate.toml"), toml);
+  EXPECT_EQ(folder.read("plate.csv"), source);
+}
+
+/// What the bar offers is not lost without it: the action of the menu says it both ways, and saving elsewhere takes the
+/// lines along under the new name.
+TEST(ImportWindowQuebra, LinesGoBesideAndBackByTheMenuAndAlongWithSaveAs) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("a.toml", "dobra = 1\nprogram = \"recon\"\n\n[[input.horizon]]\nname = \"A\"\n"
+                                           "points = [[0, 0], [9, 1]]\n");
+  folder.write("a.lines.toml", "somebody's");
+  MainWindow window(recon::core::program());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
+  ASSERT_TRUE(window.open(file));
+  auto* action = window.findChild<QAction*>("file.lines_beside");
+  ASSERT_NE(action, nullptr);
+  EXPECT_FALSE(action->isChecked());
+  action->trigger();
+  EXPECT_TRUE(action->isChecked());
+  ASSERT_TRUE(window.save(file));
+  EXPECT_EQ(folder.read("a.lines.toml"), "somebody's");
+  EXPECT_NE(folder.read("a (2).lines.toml").find("points"), std::string::npos);
+  ASSERT_TRUE(window.save(folder / "b.toml"));
+  EXPECT_NE(folder.read("b.toml").find("\"b.lines.toml\""), std::string::npos) << folder.read("b.toml");
+  EXPECT_NE(folder.read("b.lines.toml").find("points"), std::string::npos);
+  folder.write("c.lines.toml", "theirs");
+  EXPECT_FALSE(window.save(folder / "c.toml"));
+  EXPECT_EQ(folder.read("c.lines.toml"), "theirs");
+  EXPECT_EQ(window.session().document().file, folder / "b.toml");
+  action->trigger();
+  EXPECT_FALSE(action->isChecked());
+  ASSERT_TRUE(window.save(folder / "b.toml"));
+  EXPECT_NE(folder.read("b.toml").find("points"), std::string::npos);
+  EXPECT_EQ(folder.read("b.toml").find("lines_file"), std::string::npos);
 }
 
 }  // namespace

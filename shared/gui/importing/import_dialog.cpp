@@ -160,7 +160,8 @@ QWidget* ImportDialog::make_lines_page() {
   lines_->verticalHeader()->hide();
   lines_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   lines_->horizontalHeader()->setSectionResizeMode(LineList::Name, QHeaderView::Stretch);
-  lines_->horizontalHeader()->setSectionResizeMode(LineList::Points, QHeaderView::ResizeToContents);
+  for (const int fitted : {LineList::Kind, LineList::From, LineList::Points})
+    lines_->horizontalHeader()->setSectionResizeMode(fitted, QHeaderView::ResizeToContents);
   column->addWidget(lines_, 1);
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -242,6 +243,7 @@ QWidget* ImportDialog::make_reading_page() {
   name_widget(corners_, "corners", text("Corners of the picture"));
   corners_->setPlaceholderText(text("x and height, lower left; upper right"));
   form->addRow(text("Corners of the picture"), corners_);
+  reading_ = form;
   connect(corners_, &QLineEdit::textEdited, this, &ImportDialog::read_again);
   all_alike_ = new QPushButton(text("Read all files like this one"));
   all_alike_->setObjectName("import.all_alike");
@@ -285,7 +287,8 @@ void ImportDialog::show_reading() {
   pick(separator_, reading.separator);
   pick(axis_, reading.y_axis);
   pick(unit_, reading.unit);
-  corners_->setEnabled(look.picture.has_value());
+  reading_->setRowVisible(corners_, look.picture.has_value());
+  for (QComboBox* choice : {x_, height_, names_, separator_}) reading_->setRowVisible(choice, columns);
   all_alike_->setVisible(model_.size() > 1);
   all_alike_->setEnabled(look.asks_reading);
   showing_ = false;
@@ -459,13 +462,29 @@ void ImportDialog::judge() {
       said.push_back(QString::fromStdString(remarks[i]));
     if (remarks.size() > most_remarks) said.push_back(text("and %1 more remarks").arg(remarks.size() - most_remarks));
   } else {
-    said.push_back(wording_(result.error()));
+    said.push_back(asked_above(result.error()).value_or(wording_(result.error())));
     palette.setColor(QPalette::WindowText, theme::wrong_text(palette));
   }
   message_->setPalette(palette);
   message_->setText(said.join("\n"));
   ok_->setEnabled(made_.has_value());
   ok_->setToolTip(made_ ? QString() : said.join("\n"));
+}
+
+/// Which columns of a table are meant is asked in the dialog, not on a command line.
+std::optional<QString> ImportDialog::asked_above(const base::Error& error) const {
+  if (error.code != base::ErrorCode::Unclear || !error.place) return std::nullopt;
+  for (std::size_t i = 0; i < model_.size(); ++i) {
+    const std::optional<scenario::ImportTable>& table = model_.look(i).table;
+    if (!table || model_.path(i).string() != error.place->file) continue;
+    std::size_t columns = table->header.size();
+    for (const auto& row : table->rows) columns = std::max(columns, row.size());
+    return text("%1 has %2 columns: choose which hold x, the heights or depths, and the names, under 'How the file is "
+                "read'.")
+        .arg(file_name(model_.path(i)))
+        .arg(columns);
+  }
+  return std::nullopt;
 }
 
 QString ImportDialog::what() const {

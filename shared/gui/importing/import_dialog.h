@@ -56,6 +56,7 @@ class ImportDialog : public QDialog {
   void show_lines();
   /// What is said in the form, to the model.
   void read_again();
+  [[nodiscard]] std::optional<QString> asked_above(const base::Error& error) const;
   void choose_kind(int index);
   void apply_rule();
   void selection_changed();
@@ -83,6 +84,7 @@ class ImportDialog : public QDialog {
   QTableWidget* table_ = nullptr;
   QComboBox *x_ = nullptr, *height_ = nullptr, *names_ = nullptr;
   QComboBox *separator_ = nullptr, *axis_ = nullptr, *unit_ = nullptr;
+  QFormLayout* reading_ = nullptr;
   QLineEdit* corners_ = nullptr;
   QPushButton* all_alike_ = nullptr;
   ImportPreview* preview_ = nullptr;
