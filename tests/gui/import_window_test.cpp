@@ -19,6 +19,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <tuple>
 
 #include "quebra/core/operations.h"
 #include "recon/core/operations.h"
@@ -264,7 +265,7 @@ TEST_F(ImportWindow, UntidyTextsComeInAsTheyAreMeant) {
       {"bom.csv", "\xEF\xBB\xBFx,z\r\n0,1.5\r\n10,2.5\r\n20,1.5\r\n"},
       {"empty lines.txt", "\n\n# picked by hand\n0   1.5\n\t10\t2.5   \n20 1.5"},
       {"mac.txt", "0 1.5\r10 2.5\r20 1.5\r"},
-      {"exponents.txt", "0 15e-1\n1.0E1 2.5d0\n20 1.5\n"}};
+      {"exponents.txt", "0 15e-1\n1.0E1 2.5e+0\n20 1.5\n"}};
   for (const auto& [name, content] : files) {
     drop({folder.write(name, content)}, [&](ImportDialog& dialog) {
       EXPECT_TRUE(can_import(dialog)) << name << ": " << message(dialog);
@@ -531,6 +532,117 @@ TEST(ImportWindowQuebra, LinesGoBesideAndBackByTheMenuAndAlongWithSaveAs) {
   ASSERT_TRUE(window.save(folder / "b.toml"));
   EXPECT_NE(folder.read("b.toml").find("points"), std::string::npos);
   EXPECT_EQ(folder.read("b.toml").find("lines_file"), std::string::npos);
+}
+
+/// A named point and the place of a region, dragged: the run goes along, one step of Undo each gives every byte back.
+TEST(ImportWindowQuebra, PointsAndRegionsAreDraggedLiveInOneStepOfUndo) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("a.toml", R"(dobra = 1
+program = "quebra"
+
+[[input.curve]]
+name = "plate"
+kind = "polygon"
+points = [[0, 0], [10, 0], [10, 6], [0, 6]]
+
+[[input.region]]
+name = "rock"
+point = [3, 2]
+
+[[input.point]]
+name = "gauge"
+point = [7, 4]
+)");
+  MainWindow window(quebra::core::program());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
+  window.activateWindow();
+  ASSERT_TRUE(window.open(file));
+  const auto quiet = [&] { return !window.session().busy(); };
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  QCoreApplication::processEvents();
+  VtkWidget& view = window.view();
+  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
+  const auto marked = [&](const std::string& layer) {
+    for (const scene::Panel& panel : window.session().outcome()->input->panels) {
+      for (const scene::Layer& one : panel.layers) {
+        const auto* markers = std::get_if<scene::Markers>(&one.content);
+        if (one.key == layer && markers != nullptr && !markers->points.empty()) return markers->points.front();
+      }
+    }
+    return geom::Point{-1, -1};
+  };
+  const auto move_to = [&](geom::Point p) {
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton, Qt::AltModifier);
+    QCoreApplication::sendEvent(&view, &move);
+    ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  };
+  QTest::keyClick(&view, Qt::Key_S);
+  for (const auto& [layer, from, to] :
+       {std::tuple("regions", geom::Point{3, 2}, geom::Point{5, 3}), std::tuple("points", geom::Point{7, 4}, geom::Point{8, 5})}) {
+    const std::string before = scenario::document_text(window.session().document());
+    ASSERT_EQ(marked(layer), from);
+    QTest::mousePress(&view, Qt::LeftButton, {}, pixel(from));
+    for (const double t : {0.3, 0.6, 1.0}) {
+      const geom::Point p = from + t * (to - from);
+      move_to(p);
+      EXPECT_NEAR(geom::distance(marked(layer), p), 0.0, 0.1) << layer << ": not live";
+      EXPECT_EQ(scenario::document_text(window.session().document()), before);  // until it is let go
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel(to));
+    ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+    EXPECT_NEAR(geom::distance(marked(layer), to), 0.0, 0.1) << layer;
+    EXPECT_NE(scenario::document_text(window.session().document()), before);
+    window.session().undo();
+    ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+    EXPECT_EQ(scenario::document_text(window.session().document()), before);
+    EXPECT_FALSE(window.session().history().can_undo());
+  }
+}
+
+/// The same with a section: the horizon of a text is dragged, and kept beside.
+TEST(ImportWindowRecon, AnEditedHorizonOfAFileIsKeptBesideWhereAskedFor) {
+  const test::TemporaryFolder folder;
+  const std::string source = "x,z\r\n0,0\r\n500,60\r\n1000,10\r\n";
+  folder.write("top.csv", source);
+  const std::string toml = "dobra = 1\nprogram = \"recon\"\n\n[[input.horizon]]   # the roof\nname = \"top\"\n"
+                           "file = \"top.csv\"\n\n[[input.horizon]]\nname = \"base\"\npoints = [[0, -90], [1000, -90]]\n";
+  const auto file = folder.write("a.toml", toml);
+  MainWindow window(recon::core::program());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
+  window.activateWindow();
+  ASSERT_TRUE(window.open(file));
+  const auto quiet = [&] { return !window.session().busy(); };
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  QCoreApplication::processEvents();
+  VtkWidget& view = window.view();
+  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
+  QTest::keyClick(&view, Qt::Key_S);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({250, 30}));
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixel({500, 60}));
+  QMouseEvent move(QEvent::MouseMove, pixel({510, 90}), view.mapToGlobal(pixel({510, 90})), Qt::NoButton, Qt::LeftButton,
+                   Qt::AltModifier);
+  QCoreApplication::sendEvent(&view, &move);
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({510, 90}));
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  ASSERT_TRUE(window.findChild<QLabel*>("taken_in_bar.words")->isVisible());
+  QTest::mouseClick(window.findChild<QPushButton*>("taken_in_bar.beside"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
+  QTest::keyClick(&view, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(folder.read("top.csv"), source);
+  EXPECT_EQ(folder.read("a.toml").find("points"), std::string::npos) << folder.read("a.toml");
+  const std::string beside = folder.read("a.lines.toml");
+  EXPECT_LT(beside.find("\"top\""), beside.find("\"base\"")) << beside;
+  const std::string report = scenario::report_json(window.session().document(), recon::core::program(),
+                                                   window.session().outcome()->run);
+  const auto read = scenario::read_document(file);
+  ASSERT_TRUE(read) << base::to_string(read.error());
+  scenario::Runner runner(recon::core::program());
+  EXPECT_EQ(scenario::report_json(*read, recon::core::program(), runner.run(*read)), report);
+  for (int k = 0; k < 2; ++k) QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(window.save(file));
+  EXPECT_EQ(folder.read("a.toml"), toml);
 }
 
 }  // namespace

@@ -308,13 +308,13 @@ void ImportDialog::show_table() {
   for (std::size_t c = 0; c < count; ++c) {
     const QString title =
         c < table->header.size() && !table->header[c].empty()
-            ? text("%1: %2").arg(c + 1).arg(QString::fromStdString(table->header[c]))
+            ? QString("%1: %2").arg(c + 1).arg(QString::fromStdString(table->header[c]))
             : QString::number(c + 1);
     QString role;
     if (c + 1 == table->x) role = text("x");
     if (c + 1 == table->height) role = model_.reading(file_).y_axis == "down" ? text("depth") : text("height");
     if (c + 1 == table->names) role = text("name");
-    auto* head = new QTableWidgetItem(role.isEmpty() ? title : title + "\n" + text("→ %1").arg(role));
+    auto* head = new QTableWidgetItem(role.isEmpty() ? title : title + "\n→ " + role);
     QFont font = table_->font();
     font.setBold(!role.isEmpty());
     head->setFont(font);
