@@ -47,6 +47,8 @@ class Canvas : public QObject {
   /// Of the last run `picture` is shown. That of an edit under way changes nothing here.
   void show_outcome(std::shared_ptr<const scene::Picture> picture);
   void show_hint();
+  /// In the place of the hint, until the next click.
+  void say(const QString& message);
   /// What lies where the picture was clicked; of no interest to a tool that draws.
   void tell_pick(const QString& what);
   /// Nothing is there yet but a sheet to draw on.
