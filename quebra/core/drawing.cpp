@@ -160,7 +160,8 @@ Result<scenario::Document> with_place_edited(scenario::Document document, const 
   scenario::Entries entries = scenario::entries_of(document.input, key);
   // Regions may share a name: the document's own are the last ones.
   const std::size_t before = count - std::min(count, entries.size());
-  auto entry = entries.begin() + static_cast<std::ptrdiff_t>(edit.pick.id - std::min<std::size_t>(edit.pick.id, before));
+  auto entry =
+      entries.begin() + static_cast<std::ptrdiff_t>(edit.pick.id - std::min<std::size_t>(edit.pick.id, before));
   if (edit.pick.id < before || entry == entries.end() || scenario::text_in(*entry, "name") != name)
     entry = scenario::entry_named(entries, name);
   if (entry == entries.end()) {
@@ -200,8 +201,9 @@ Result<scenario::Document> with_curves_edited(scenario::Document document, const
     }
     const bool drawn = edit.pick.layer == "boundary" || edit.pick.layer == "internal" || edit.pick.layer == "cracks";
     if (!drawn || edit.pick.id >= curves.size())
-      return scenario::edit_refused(edit.pick.layer,
-                                    "this is drawn by the program and cannot be edited; edit curves, cracks, points and regions");
+      return scenario::edit_refused(
+          edit.pick.layer,
+          "this is drawn by the program and cannot be edited; edit curves, cracks, points and regions");
     const sketch::Curve& curve = curves[edit.pick.id];
     const char* key = curve.role == sketch::Role::Crack ? "crack" : "curve";
     scenario::Entries entries = scenario::entries_of(document.input, key);

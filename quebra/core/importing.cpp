@@ -34,10 +34,9 @@ constexpr const char* found_by_itself = "found";
 const std::vector<scenario::Importing::Kind>& import_kinds() {
   using Kind = scenario::Importing::Kind;
   static const std::set<ImportShape> both{ImportShape::Line, ImportShape::Polygon};
-  static const std::vector<Kind> kinds{Kind{found_by_itself, "As the drawing shows", both},
-                                       Kind{"outline", "Outline", both}, Kind{"hole", "Hole", both},
-                                       Kind{"internal", "Internal line", both},
-                                       Kind{"crack", "Crack", {ImportShape::Line}}};
+  static const std::vector<Kind> kinds{
+      Kind{found_by_itself, "As the drawing shows", both}, Kind{"outline", "Outline", both}, Kind{"hole", "Hole", both},
+      Kind{"internal", "Internal line", both}, Kind{"crack", "Crack", {ImportShape::Line}}};
   return kinds;
 }
 
@@ -152,10 +151,11 @@ Result<sketch::Sketch> checked(const scenario::Document& document, const scenari
     const bool right = there && (wanted == found_by_itself ? stated_kind(sketch, *at) == wanted
                                                            : sketch::role_name(at->role) == wanted);
     if (file.choices[i].taken ? right : !there) continue;
-    return refused(file.file,
-                   fmt::format(fmt::runtime(translated(
-                                   "'{}' cannot be told from another line by its name; give both the same kind")),
-                               look.lines[i].name));
+    return refused(
+        file.file,
+        fmt::format(
+            fmt::runtime(translated("'{}' cannot be told from another line by its name; give both the same kind")),
+            look.lines[i].name));
   }
   return sketch;
 }
@@ -176,8 +176,8 @@ scenario::Imported take_curves(scenario::Document document, sketch::Sketch sketc
     const std::string wanted = curve.name;
     for (int copy = 2; !taken.insert(curve.name).second; ++copy) curve.name = fmt::format("{} ({})", wanted, copy);
     if (curve.name != wanted) {
-      notes.push_back(fmt::format(fmt::runtime(translated("'{}' is there already; this one becomes '{}'")), wanted,
-                                  curve.name));
+      notes.push_back(
+          fmt::format(fmt::runtime(translated("'{}' is there already; this one becomes '{}'")), wanted, curve.name));
     }
     scenario::Entries entries = scenario::entries_of(document.input, table_of(curve));
     entries.push_back(curve_entry(curve, document.units));

@@ -42,14 +42,14 @@ Result<sketch::Curve> make_bezier(const CurveParams& params) {
     return lacking(params, "is a chain of cubics: give it 4 `points`, or 3 more for every further cubic");
   std::vector<dobra::geom::HermiteCubic> cubics;
   for (std::size_t i = 0; i + 3 < params.points.size(); i += 3) {
-    DOBRA_TRY(const dobra::geom::Bezier cubic, dobra::geom::Bezier::make({params.points.begin() + std::ptrdiff_t(i),
-                                                                          params.points.begin() + std::ptrdiff_t(i + 4)}));
+    DOBRA_TRY(const dobra::geom::Bezier cubic,
+              dobra::geom::Bezier::make(
+                  {params.points.begin() + std::ptrdiff_t(i), params.points.begin() + std::ptrdiff_t(i + 4)}));
     cubics.push_back(dobra::geom::hermite_of(cubic));
   }
   std::vector<double> knots;
   for (std::size_t k = 0; k <= cubics.size(); ++k) knots.push_back(static_cast<double>(k));
-  DOBRA_TRY(sketch::Smooth smooth,
-            sketch::Smooth::make(dobra::geom::CubicPath(std::move(cubics), std::move(knots))));
+  DOBRA_TRY(sketch::Smooth smooth, sketch::Smooth::make(dobra::geom::CubicPath(std::move(cubics), std::move(knots))));
   return sketch::Curve{params.name, params.role, std::move(smooth), {}};
 }
 

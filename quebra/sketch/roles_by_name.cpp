@@ -34,15 +34,16 @@ struct Rule {
 Result<Rule> rule_of(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos || sign == 0)
-    return Error{ErrorCode::BadValue, fmt::format("kind: '{}' names no pattern and kind; give them as 'C*=crack'", text)};
+    return Error{ErrorCode::BadValue,
+                 fmt::format("kind: '{}' names no pattern and kind; give them as 'C*=crack'", text)};
   const std::string word = text.substr(sign + 1);
   Rule rule{text.substr(0, sign), role_named(word), word};
   if (rule.role || word == "none" || word == "found") return rule;
   std::vector<std::string> words{"none", "found"};
   for (const Named& known : roles) words.emplace_back(known.name);
   return Error{ErrorCode::BadValue,
-               fmt::format("kind: '{}': unknown kind '{}'{}; give outline, hole, internal, crack, found or none", text, word,
-                           dobra::base::did_you_mean(word, words))};
+               fmt::format("kind: '{}': unknown kind '{}'{}; give outline, hole, internal, crack, found or none", text,
+                           word, dobra::base::did_you_mean(word, words))};
 }
 
 /// Without the curve; an area that it bounds is none then.
@@ -79,9 +80,8 @@ Result<void> set_roles(Sketch& sketch, const std::vector<std::string>& texts) {
   if (rules.empty()) return {};
   for (std::size_t i = sketch.curves.size(); i-- > 0;) {
     Curve& curve = sketch.curves[i];
-    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const Rule& r) {
-      return dobra::io::lines::fits(r.pattern, curve.name);
-    });
+    const auto rule = std::find_if(rules.begin(), rules.end(),
+                                   [&](const Rule& r) { return dobra::io::lines::fits(r.pattern, curve.name); });
     if (rule == rules.end()) continue;
     rule->used = true;
     if (rule->word == "none") {
@@ -97,8 +97,7 @@ Result<void> set_roles(Sketch& sketch, const std::vector<std::string>& texts) {
     sketch.without_role.erase(curve.name);
     if (sketch.hole_points) sketch.hole_points->curves.erase(curve.name);
   }
-  if (sketch.curves.empty())
-    return Error{ErrorCode::BadValue, "kind: no curve of the file is left; leave fewer out"};
+  if (sketch.curves.empty()) return Error{ErrorCode::BadValue, "kind: no curve of the file is left; leave fewer out"};
   for (const Rule& rule : rules) {
     if (!rule.used) sketch.remarks.push_back(fmt::format("kind: no curve of the file is called '{}'", rule.pattern));
   }

@@ -245,10 +245,11 @@ base::Result<scenario::Table> line_entry(const scenario::Document& document, con
   const std::string& kind = file.choices[i].kind;
   const std::string table = table_of_kind(kind);
   const auto apart = [&](const std::string& why) {
-    return refused(file.file,
-                   fmt::format(fmt::runtime(dobra::base::translated(
-                                   "'{}' cannot be taken by itself ({}); take all lines of the file, under their names")),
-                               shown_name(line, file.file), why));
+    return refused(
+        file.file,
+        fmt::format(fmt::runtime(dobra::base::translated(
+                        "'{}' cannot be taken by itself ({}); take all lines of the file, under their names")),
+                    shown_name(line, file.file), why));
   };
   scenario::Table entry;
   entry.set("name", name);
@@ -292,8 +293,8 @@ base::Result<scenario::Imported> take_one_by_one(scenario::Document document, co
     std::string name = wanted;
     for (int copy = 2; !taken[table].insert(name).second; ++copy) name = fmt::format("{} ({})", wanted, copy);
     if (name != wanted) {
-      made.notes.push_back(
-          fmt::format(fmt::runtime(dobra::base::translated("'{}' is there already; this one becomes '{}'")), wanted, name));
+      made.notes.push_back(fmt::format(
+          fmt::runtime(dobra::base::translated("'{}' is there already; this one becomes '{}'")), wanted, name));
     }
     DOBRA_TRY(scenario::Table entry, line_entry(document, look, file, i, name));
     fresh[table].push_back(std::move(entry));
@@ -310,13 +311,13 @@ base::Result<scenario::Imported> take_one_by_one(scenario::Document document, co
 base::Result<scenario::Imported> take_picture(scenario::Document document, const ImportLook& look,
                                               const scenario::ImportFile& file) {
   if (!look.placed)
-    return refused(file.file, dobra::base::translated(
-                                  "the picture does not say where it lies; give its lower left and upper right corner"));
+    return refused(
+        file.file,
+        dobra::base::translated("the picture does not say where it lies; give its lower left and upper right corner"));
   scenario::Entries entries = scenario::entries_of(document.input, "backdrop");
   const std::string stem = scenario::lines::stem_of(file.file);
   scenario::Table entry;
-  entry.set("name",
-            scenario::entry_named(entries, stem) == entries.end() ? stem : scenario::free_name(entries, stem));
+  entry.set("name", scenario::entry_named(entries, stem) == entries.end() ? stem : scenario::free_name(entries, stem));
   entry.set("file", scenario::lines::import_path(document, file.file));
   const std::vector<double>& at = file.reading.corners;
   if (at.size() == 4) entry.set("corners", std::vector<geom::Point>{{at[0], at[1]}, {at[2], at[3]}});

@@ -205,7 +205,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   }
   if (!can_import) return;
   // The dialog waits until the one who let go is free again.
-  QMetaObject::invokeMethod(this, [this, files] { import_files(files.others); }, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(
+      this, [this, files] { import_files(files.others); }, Qt::QueuedConnection);
 }
 
 void MainWindow::ask_import() {

@@ -76,8 +76,8 @@ struct Document {
 base::Result<Document> parse_document(const std::string& text, const std::filesystem::path& file);
 
 /// With the tables of its file of lines, where it names one.
-/// @error FileNotFound, NotAFile, CannotRead, EmptyFile, BadFormat (a binary file), those of parse_document, and those of
-/// with_lines_read.
+/// @error FileNotFound, NotAFile, CannotRead, EmptyFile, BadFormat (a binary file), those of parse_document, and those
+/// of with_lines_read.
 base::Result<Document> read_document(const std::filesystem::path& file);
 
 /// Canonical text, whatever the source: parse_document(document_text(d)) gives d, and its text again is the same bytes.

@@ -96,8 +96,8 @@ struct Importing {
     std::set<ImportShape> shapes;
   };
   std::vector<Kind> kinds{};
-  std::vector<FileKind> files{};       ///< What can be read.
-  std::vector<std::string> units{};    ///< As `reading.unit` takes them.
+  std::vector<FileKind> files{};     ///< What can be read.
+  std::vector<std::string> units{};  ///< As `reading.unit` takes them.
   std::function<ImportLook(const Document&, const std::filesystem::path&, const ImportReading&)> look{};
   /// The document with what was chosen of one file, as entries that name the file. The file is read again as the
   /// document will read it.

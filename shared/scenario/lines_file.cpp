@@ -73,7 +73,8 @@ base::Result<Document> with_lines_read(Document document) {
     if (const Value* own = document.input.find(entry.key)) {
       const auto* there = std::get_if<std::vector<Table>>(own);
       if (there == nullptr)
-        return Error{ErrorCode::BadValue, fmt::format("'{}' is no table in the scenario; remove one of both", entry.key),
+        return Error{ErrorCode::BadValue,
+                     fmt::format("'{}' is no table in the scenario; remove one of both", entry.key),
                      document.input.place(entry.key)};
       tables = *there;
     }

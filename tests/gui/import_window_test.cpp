@@ -11,8 +11,8 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSplitter>
-#include <QTableView>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTest>
 #include <QTimer>
 #include <filesystem>
@@ -243,8 +243,9 @@ TEST_F(ImportWindow, ALineIsLeftOutByItsTickAndFoundByAClickInThePreview) {
 
 TEST_F(ImportWindow, ThousandsOfLinesKeepTheDialogAlive) {
   std::string many = "x,z,name\n";
-  for (int i = 0; i < 5000; ++i) many += "0," + std::to_string(i) + ",line " + std::to_string(i) + "\n900," +
-                                         std::to_string(i) + ",line " + std::to_string(i) + "\n";
+  for (int i = 0; i < 5000; ++i)
+    many += "0," + std::to_string(i) + ",line " + std::to_string(i) + "\n900," + std::to_string(i) + ",line " +
+            std::to_string(i) + "\n";
   const auto file = folder.write("many.csv", many);
   drop({file}, [&](ImportDialog& dialog) {
     auto* table = part<QTableView>(dialog, "lines");
@@ -292,7 +293,7 @@ TEST_F(ImportWindow, WhatIsWrongInAFileIsSaidWithItsLine) {
   const std::pair<std::string, const char*> files[] = {
       {"x;z\n0;1\n10,2\n20;3\n", "mixed.csv:3"}, {"x,z\n0,1\n10,two\n20,3\n", "mixed.csv:3"},
       {"x,z\n0,1\n10\n20,3\n", "mixed.csv:3"},   {"x,z\n0,1\n10,nan\n20,3\n", "mixed.csv:3"},
-      {"x,z\n0,1\n10,1e999\n", "mixed.csv:3"},    {"x;z\n0;1\n10;2,5\n20;1\n", "mixed.csv:3"}};
+      {"x,z\n0,1\n10,1e999\n", "mixed.csv:3"},   {"x;z\n0;1\n10;2,5\n20;1\n", "mixed.csv:3"}};
   for (const auto& [content, place] : files) {
     drop({folder.write("mixed.csv", content)}, [&](ImportDialog& dialog) {
       EXPECT_FALSE(can_import(dialog)) << content;
@@ -319,8 +320,9 @@ TEST_F(ImportWindow, AFolderAFileThatIsGoneAndOneThatCannotBeReadAreSaid) {
 }
 
 TEST_F(ImportWindow, ADroppedScenarioIsOpenedWithoutTheDialog) {
-  const auto file = folder.write("a.toml", "dobra = 1\nprogram = \"recon\"\ntitle = \"mine\"\n[[input.horizon]]\n"
-                                           "name = \"A\"\npoints = [[0, 0], [9, 1]]\n");
+  const auto file = folder.write("a.toml",
+                                 "dobra = 1\nprogram = \"recon\"\ntitle = \"mine\"\n[[input.horizon]]\n"
+                                 "name = \"A\"\npoints = [[0, 0], [9, 1]]\n");
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
   QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
@@ -375,8 +377,9 @@ TEST_F(ImportWindow, EveryWidgetOfTheDialogHasANameAndIsWhole) {
 
 TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
   const test::TemporaryFolder folder;
-  const auto file = folder.write("plate.csv", "x,y,name\n0,0,plate\n10,0,plate\n10,6,plate\n0,6,plate\n0,0,plate\n"
-                                              "2,3,crack 1\n4,3,crack 1\n");
+  const auto file = folder.write("plate.csv",
+                                 "x,y,name\n0,0,plate\n10,0,plate\n10,6,plate\n0,6,plate\n0,0,plate\n"
+                                 "2,3,crack 1\n4,3,crack 1\n");
   MainWindow window(quebra::core::program());
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
@@ -405,7 +408,8 @@ TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
   QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({3, 3}));
   QTest::mousePress(&view, Qt::LeftButton, {}, pixel({4, 3}));
   for (const geom::Point p : {geom::Point{4.5, 3.5}, geom::Point{5.2, 4.1}}) {
-    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton, Qt::AltModifier);
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton,
+                     Qt::AltModifier);
     QCoreApplication::sendEvent(&view, &move);
   }
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({5.2, 4.1}));
@@ -427,11 +431,13 @@ TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
 /// opened again and run by a runner is the same.
 TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
   const test::TemporaryFolder folder;
-  const std::string source = "x,y,name\n0,0,plate\n10,0,plate\n10,6,plate\n0,6,plate\n0,0,plate\n"
-                             "2,3,crack 1\n4,3,crack 1\n";
+  const std::string source =
+      "x,y,name\n0,0,plate\n10,0,plate\n10,6,plate\n0,6,plate\n0,0,plate\n"
+      "2,3,crack 1\n4,3,crack 1\n";
   folder.write("plate.csv", source);
-  const std::string toml = "# mine\ndobra = 1\nprogram = \"quebra\"\n\n[input]\nfile =   \"plate.csv\"\n"
-                           "kind = [\"crack*=crack\"]\n";
+  const std::string toml =
+      "# mine\ndobra = 1\nprogram = \"quebra\"\n\n[input]\nfile =   \"plate.csv\"\n"
+      "kind = [\"crack*=crack\"]\n";
   const auto file = folder.write("plate.toml", toml);
   MainWindow window(quebra::core::program());
   window.show();
@@ -448,7 +454,8 @@ TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
   QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({3, 3}));
   QTest::mousePress(&view, Qt::LeftButton, {}, pixel({4, 3}));
   for (const geom::Point p : {geom::Point{4.5, 3.5}, geom::Point{5.2, 4.1}}) {
-    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton, Qt::AltModifier);
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton,
+                     Qt::AltModifier);
     QCoreApplication::sendEvent(&view, &move);
   }
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({5.2, 4.1}));
@@ -469,8 +476,8 @@ TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
   EXPECT_NE(folder.read("plate.toml").find("lines_file = \"plate.lines.toml\""), std::string::npos);
   EXPECT_NE(folder.read("plate.lines.toml").find("[[input.crack]]"), std::string::npos);
   EXPECT_FALSE(window.session().changed_on_disk());
-  const std::string report = scenario::report_json(window.session().document(), quebra::core::program(),
-                                                   window.session().outcome()->run);
+  const std::string report =
+      scenario::report_json(window.session().document(), quebra::core::program(), window.session().outcome()->run);
   const auto read = scenario::read_document(file);
   ASSERT_TRUE(read) << base::to_string(read.error());
   scenario::Runner runner(quebra::core::program());
@@ -505,8 +512,9 @@ TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
 /// lines along under the new name.
 TEST(ImportWindowQuebra, LinesGoBesideAndBackByTheMenuAndAlongWithSaveAs) {
   const test::TemporaryFolder folder;
-  const auto file = folder.write("a.toml", "dobra = 1\nprogram = \"recon\"\n\n[[input.horizon]]\nname = \"A\"\n"
-                                           "points = [[0, 0], [9, 1]]\n");
+  const auto file = folder.write("a.toml",
+                                 "dobra = 1\nprogram = \"recon\"\n\n[[input.horizon]]\nname = \"A\"\n"
+                                 "points = [[0, 0], [9, 1]]\n");
   folder.write("a.lines.toml", "somebody's");
   MainWindow window(recon::core::program());
   window.show();
@@ -573,13 +581,14 @@ point = [7, 4]
     return geom::Point{-1, -1};
   };
   const auto move_to = [&](geom::Point p) {
-    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton, Qt::AltModifier);
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton,
+                     Qt::AltModifier);
     QCoreApplication::sendEvent(&view, &move);
     ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   };
   QTest::keyClick(&view, Qt::Key_S);
-  for (const auto& [layer, from, to] :
-       {std::tuple("regions", geom::Point{3, 2}, geom::Point{5, 3}), std::tuple("points", geom::Point{7, 4}, geom::Point{8, 5})}) {
+  for (const auto& [layer, from, to] : {std::tuple("regions", geom::Point{3, 2}, geom::Point{5, 3}),
+                                        std::tuple("points", geom::Point{7, 4}, geom::Point{8, 5})}) {
     const std::string before = scenario::document_text(window.session().document());
     ASSERT_EQ(marked(layer), from);
     QTest::mousePress(&view, Qt::LeftButton, {}, pixel(from));
@@ -605,8 +614,9 @@ TEST(ImportWindowRecon, AnEditedHorizonOfAFileIsKeptBesideWhereAskedFor) {
   const test::TemporaryFolder folder;
   const std::string source = "x,z\r\n0,0\r\n500,60\r\n1000,10\r\n";
   folder.write("top.csv", source);
-  const std::string toml = "dobra = 1\nprogram = \"recon\"\n\n[[input.horizon]]   # the roof\nname = \"top\"\n"
-                           "file = \"top.csv\"\n\n[[input.horizon]]\nname = \"base\"\npoints = [[0, -90], [1000, -90]]\n";
+  const std::string toml =
+      "dobra = 1\nprogram = \"recon\"\n\n[[input.horizon]]   # the roof\nname = \"top\"\n"
+      "file = \"top.csv\"\n\n[[input.horizon]]\nname = \"base\"\npoints = [[0, -90], [1000, -90]]\n";
   const auto file = folder.write("a.toml", toml);
   MainWindow window(recon::core::program());
   window.show();
@@ -621,8 +631,8 @@ TEST(ImportWindowRecon, AnEditedHorizonOfAFileIsKeptBesideWhereAskedFor) {
   QTest::keyClick(&view, Qt::Key_S);
   QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({250, 30}));
   QTest::mousePress(&view, Qt::LeftButton, {}, pixel({500, 60}));
-  QMouseEvent move(QEvent::MouseMove, pixel({510, 90}), view.mapToGlobal(pixel({510, 90})), Qt::NoButton, Qt::LeftButton,
-                   Qt::AltModifier);
+  QMouseEvent move(QEvent::MouseMove, pixel({510, 90}), view.mapToGlobal(pixel({510, 90})), Qt::NoButton,
+                   Qt::LeftButton, Qt::AltModifier);
   QCoreApplication::sendEvent(&view, &move);
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({510, 90}));
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
@@ -634,8 +644,8 @@ TEST(ImportWindowRecon, AnEditedHorizonOfAFileIsKeptBesideWhereAskedFor) {
   EXPECT_EQ(folder.read("a.toml").find("points"), std::string::npos) << folder.read("a.toml");
   const std::string beside = folder.read("a.lines.toml");
   EXPECT_LT(beside.find("\"top\""), beside.find("\"base\"")) << beside;
-  const std::string report = scenario::report_json(window.session().document(), recon::core::program(),
-                                                   window.session().outcome()->run);
+  const std::string report =
+      scenario::report_json(window.session().document(), recon::core::program(), window.session().outcome()->run);
   const auto read = scenario::read_document(file);
   ASSERT_TRUE(read) << base::to_string(read.error());
   scenario::Runner runner(recon::core::program());

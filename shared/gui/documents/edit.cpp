@@ -120,7 +120,8 @@ std::vector<std::string> files_left(const Document& before, const Document& afte
   files_in(before.input, program.input_fields, names);
   std::vector<std::string> left;
   files_in(after.input, program.input_fields, left);
-  std::erase_if(names, [&](const std::string& name) { return std::find(left.begin(), left.end(), name) != left.end(); });
+  std::erase_if(names,
+                [&](const std::string& name) { return std::find(left.begin(), left.end(), name) != left.end(); });
   return names;
 }
 
@@ -129,8 +130,8 @@ Document with_lines_beside(Document document, bool beside) {
   document.lines_source = nullptr;
   document.lines_file = beside ? scenario::lines_name(document.file) : std::string();
   // What stands beside already is somebody's.
-  for (int copy = 2; beside && !document.file.empty() && std::filesystem::exists(document.folder() / document.lines_file);
-       ++copy) {
+  for (int copy = 2;
+       beside && !document.file.empty() && std::filesystem::exists(document.folder() / document.lines_file); ++copy) {
     document.lines_file = document.file.stem().string() + " (" + std::to_string(copy) + ").lines.toml";
   }
   return document;

@@ -193,7 +193,8 @@ QWidget* ImportDialog::make_lines_page() {
   connect(lines_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ImportDialog::selection_changed);
   connect(kind_, &QComboBox::activated, this, &ImportDialog::choose_kind);
   connect(apply_, &QPushButton::clicked, this, &ImportDialog::apply_rule);
-  connect(pattern_, &QLineEdit::textChanged, this, [this](const QString& typed) { apply_->setEnabled(!typed.isEmpty()); });
+  connect(pattern_, &QLineEdit::textChanged, this,
+          [this](const QString& typed) { apply_->setEnabled(!typed.isEmpty()); });
   apply_->setEnabled(false);
   pattern_->installEventFilter(this);
   return page;
@@ -306,10 +307,9 @@ void ImportDialog::show_table() {
   table_->setRowCount(static_cast<int>(table->rows.size()));
   names_->addItem(text("none, or as the header says"), 0);
   for (std::size_t c = 0; c < count; ++c) {
-    const QString title =
-        c < table->header.size() && !table->header[c].empty()
-            ? QString("%1: %2").arg(c + 1).arg(QString::fromStdString(table->header[c]))
-            : QString::number(c + 1);
+    const QString title = c < table->header.size() && !table->header[c].empty()
+                              ? QString("%1: %2").arg(c + 1).arg(QString::fromStdString(table->header[c]))
+                              : QString::number(c + 1);
     QString role;
     if (c + 1 == table->x) role = text("x");
     if (c + 1 == table->height) role = model_.reading(file_).y_axis == "down" ? text("depth") : text("height");
@@ -346,8 +346,8 @@ void ImportDialog::show_lines() {
   rules_->setText(rules.join(", "));
   rules_->setVisible(!rules.isEmpty());
   const bool lines = !look.lines.empty();
-  for (QWidget* widget : {static_cast<QWidget*>(lines_), static_cast<QWidget*>(pattern_),
-                          static_cast<QWidget*>(pattern_kind_)})
+  for (QWidget* widget :
+       {static_cast<QWidget*>(lines_), static_cast<QWidget*>(pattern_), static_cast<QWidget*>(pattern_kind_)})
     widget->setEnabled(lines);
   selection_changed();
 }
@@ -384,7 +384,8 @@ void ImportDialog::read_again() {
 
 std::vector<std::size_t> ImportDialog::selected_lines() const {
   std::vector<std::size_t> lines;
-  for (const QModelIndex& row : lines_->selectionModel()->selectedRows()) lines.push_back(static_cast<std::size_t>(row.row()));
+  for (const QModelIndex& row : lines_->selectionModel()->selectedRows())
+    lines.push_back(static_cast<std::size_t>(row.row()));
   return lines;
 }
 
@@ -479,8 +480,9 @@ std::optional<QString> ImportDialog::asked_above(const base::Error& error) const
     if (!table || model_.path(i).string() != error.place->file) continue;
     std::size_t columns = table->header.size();
     for (const auto& row : table->rows) columns = std::max(columns, row.size());
-    return text("%1 has %2 columns: choose which hold x, the heights or depths, and the names, under 'How the file is "
-                "read'.")
+    return text(
+               "%1 has %2 columns: choose which hold x, the heights or depths, and the names, under 'How the file is "
+               "read'.")
         .arg(file_name(model_.path(i)))
         .arg(columns);
   }

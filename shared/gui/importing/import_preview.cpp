@@ -136,11 +136,14 @@ void ImportPreview::draw_frame(QPainter& painter, const Fit& fit) const {
   const auto number = [&](double value) { return locale.toString(value, 'g', 6); };
   const geom::Point high{fit.low.x + fit.frame.width() / fit.scale_x, fit.low.y + fit.frame.height() / fit.scale_y};
   const QRectF all = QRectF(rect()).adjusted(6, 3, -6, -3);
-  painter.drawText(all, Qt::AlignTop | Qt::AlignLeft, text("%1 to %2 m upwards").arg(number(fit.low.y), number(high.y)));
-  painter.drawText(all, Qt::AlignBottom | Qt::AlignLeft, text("%1 to %2 m along").arg(number(fit.low.x), number(high.x)));
+  painter.drawText(all, Qt::AlignTop | Qt::AlignLeft,
+                   text("%1 to %2 m upwards").arg(number(fit.low.y), number(high.y)));
+  painter.drawText(all, Qt::AlignBottom | Qt::AlignLeft,
+                   text("%1 to %2 m along").arg(number(fit.low.x), number(high.x)));
   const double stretched = fit.scale_y / fit.scale_x;
   if (stretched > 1.01)
-    painter.drawText(all, Qt::AlignBottom | Qt::AlignRight, text("heights × %1").arg(locale.toString(stretched, 'g', 2)));
+    painter.drawText(all, Qt::AlignBottom | Qt::AlignRight,
+                     text("heights × %1").arg(locale.toString(stretched, 'g', 2)));
 }
 
 void ImportPreview::paintEvent(QPaintEvent*) {
@@ -151,7 +154,8 @@ void ImportPreview::paintEvent(QPaintEvent*) {
   const auto placed = fit();
   if (!placed) {
     painter.setPen(QColor(80, 80, 80));
-    painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, text("Nothing can be shown yet."));
+    painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                     text("Nothing can be shown yet."));
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing);

@@ -97,11 +97,10 @@ std::vector<std::string> rules_for(const ImportLook& look, const ImportFile& fil
 
 std::optional<std::string> kind_by_words(const std::string& name) {
   if (const auto kind = io::lines::known_kind(name)) return kind;
-  static const std::map<std::string, std::string> more{{"topo", "topography"}, {"dem", "topography"},
-                                                       {"crack", "crack"},     {"cracks", "crack"},   {"fracture", "crack"},
-                                                       {"fractures", "crack"}, {"trinca", "crack"},   {"trincas", "crack"},
-                                                       {"fratura", "crack"},   {"fraturas", "crack"}, {"fissura", "crack"},
-                                                       {"fissuras", "crack"},  {"hole", "hole"},      {"furo", "hole"}};
+  static const std::map<std::string, std::string> more{
+      {"topo", "topography"}, {"dem", "topography"}, {"crack", "crack"},   {"cracks", "crack"},  {"fracture", "crack"},
+      {"fractures", "crack"}, {"trinca", "crack"},   {"trincas", "crack"}, {"fratura", "crack"}, {"fraturas", "crack"},
+      {"fissura", "crack"},   {"fissuras", "crack"}, {"hole", "hole"},     {"furo", "hole"}};
   for (const std::string& word : words_of(name)) {
     // A word that is a kind; "top" and "marker" in a longer name say nothing of it.
     const auto kind = io::lines::known_kind(word);

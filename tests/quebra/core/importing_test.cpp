@@ -136,7 +136,8 @@ TEST_F(QuebraImport, ASecondFileBecomesCurvesOfTheScenarioUnderFreeNames) {
   const fs::path file = write("plate.csv", plate_csv);
   ImportLook seen = look(file);
   document = again(take(seen, proposed(file, seen)));
-  const fs::path more = write("more.csv", "x,y,name\n1,1,bore\n2,1,bore\n2,2,bore\n1,1,bore\n1,4,crack a\n2,4,crack a\n");
+  const fs::path more =
+      write("more.csv", "x,y,name\n1,1,bore\n2,1,bore\n2,2,bore\n1,1,bore\n1,4,crack a\n2,4,crack a\n");
   seen = look(more);
   const auto made = take(seen, proposed(more, seen));
   ASSERT_TRUE(made) << to_string(made.error());
@@ -165,7 +166,8 @@ TEST_F(QuebraImport, AKindThatIsNoneIsRefusedWithTheWordsThatAre) {
   EXPECT_FALSE(try_model(document_of("[input]\nfile = \"plate.csv\"\nkind = [\"*=none\"]\n")));
 }
 
-// --- curves of files, edited -------------------------------------------------------------------------------------------
+// --- curves of files, edited
+// -------------------------------------------------------------------------------------------
 
 double material_of(const model::Model& model) {
   double sum = 0.0;
@@ -190,9 +192,10 @@ TEST_F(QuebraImport, ACurveOfAFileIsTakenIntoTheDocumentByItsFirstEdit) {
   const fs::path file = write("plate.csv", plate_csv);
   document = document_of("[input]\nfile = \"plate.csv\"\nkind = [\"crack*=crack\"]\n");
   const model::Model before = model_of(document);
-  const auto made = with_curves_edited(
-      document, before,
-      std::vector{edit_of(before, "plate", {{{{0, 0}, {12, 0}, {10, 6}, {0, 6}}, true}}), edit_of(before, "line b", {})});
+  const auto made =
+      with_curves_edited(document, before,
+                         std::vector{edit_of(before, "plate", {{{{0, 0}, {12, 0}, {10, 6}, {0, 6}}, true}}),
+                                     edit_of(before, "line b", {})});
   ASSERT_TRUE(made) << to_string(made.error());
   const scenario::Document after = again(*made);
   EXPECT_EQ(after.input.find("file"), nullptr);
@@ -227,7 +230,8 @@ Physical Curve("left") = {4}; Physical Surface("rock") = {1};
     ASSERT_FALSE(before.domain.curves.empty());
     // One curve is put where it is: nothing changes but where it is written.
     const sketch::Curve& first = before.domain.curves.front();
-    const auto made = with_curves_edited(document, before, std::vector{edit_of(before, first.name, {trace(first).line})});
+    const auto made =
+        with_curves_edited(document, before, std::vector{edit_of(before, first.name, {trace(first).line})});
     ASSERT_TRUE(made) << to_string(made.error());
     const model::Model after = model_of(again(*made));
     ASSERT_EQ(after.domain.curves.size(), before.domain.curves.size());
@@ -281,8 +285,8 @@ point = [10, 6]
   EXPECT_EQ(after.domain.points.at(0).at, (geom::Point{0, 6}));
   EXPECT_EQ(after.domain.regions.at(1).at, (geom::Point{9.5, 5.5}));
   EXPECT_EQ(after.domain.regions.at(0).at, (geom::Point{1, 1}));
-  const auto gone = with_curves_edited(document, before,
-                                       std::vector{scene::LineEdit{{"points", 0}, {}}, scene::LineEdit{{"regions", 0}, {}}});
+  const auto gone = with_curves_edited(
+      document, before, std::vector{scene::LineEdit{{"points", 0}, {}}, scene::LineEdit{{"regions", 0}, {}}});
   ASSERT_TRUE(gone);
   const model::Model left = model_of(again(*gone));
   EXPECT_TRUE(left.domain.points.empty());

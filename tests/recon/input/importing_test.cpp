@@ -129,7 +129,8 @@ TEST_F(ImportingTest, PatternsStandInTheDocumentAndSingleChoicesGoBeforeThem) {
   EXPECT_EQ(wanted.choices[0].kind, "fault");  // "Top Sand"
   wanted.choices[0].kind = "eroded";
   const scenario::Document made = again(take(seen, wanted));
-  const auto* rules = std::get_if<std::vector<std::string>>(scenario::entries_of(made.input, "lines").at(0).find("kind"));
+  const auto* rules =
+      std::get_if<std::vector<std::string>>(scenario::entries_of(made.input, "lines").at(0).find("kind"));
   ASSERT_NE(rules, nullptr);
   EXPECT_EQ(*rules, (std::vector<std::string>{"Top Sand=eroded", "Topo=topography", "*a*=fault"}));
   const section::Section section = section_of(made);
@@ -186,7 +187,8 @@ TEST_F(ImportingTest, LinesThatAreNotTickedStayOut) {
 
 TEST_F(ImportingTest, AFileOfOneLineIsCalledAsTheFile) {
   const fs::path file = write("Camada 1.txt", "# digitised\n3 1 99\n4 2 98\n5 1 97\n");
-  ImportReading reading{.x = 1, .height = 3, .names = 0, .separator = {}, .y_axis = "down", .unit = "km", .corners = {}};
+  ImportReading reading{
+      .x = 1, .height = 3, .names = 0, .separator = {}, .y_axis = "down", .unit = "km", .corners = {}};
   const ImportLook seen = look(file, reading);
   ASSERT_FALSE(seen.error) << to_string(*seen.error);
   ImportFile wanted = proposed(file, seen);
@@ -244,7 +246,8 @@ TEST_F(ImportingTest, ThousandsOfLinesAreOneEntryAndNameless) {
   ImportFile faults = proposed(file, seen);
   faults.choices[0].kind = "fault";
   const scenario::Document changed = again(take(seen, faults));
-  const auto* rules = std::get_if<std::vector<std::string>>(scenario::entries_of(changed.input, "lines").at(0).find("kind"));
+  const auto* rules =
+      std::get_if<std::vector<std::string>>(scenario::entries_of(changed.input, "lines").at(0).find("kind"));
   ASSERT_NE(rules, nullptr);
   EXPECT_EQ(*rules, std::vector<std::string>{"*=fault"});
 }
@@ -294,7 +297,8 @@ TEST_F(ImportingTest, EveryEndingOfLinesIsBroughtIn) {
   }
   std::set<std::string> seen_endings;
   for (const std::string& ending : formats::endings_for(formats::Use::WriteLines)) {
-    if (!formats::is_for(*formats::format_of("a" + ending, formats::Use::WriteLines), formats::Use::ReadLines)) continue;
+    if (!formats::is_for(*formats::format_of("a" + ending, formats::Use::WriteLines), formats::Use::ReadLines))
+      continue;
     const fs::path file = folder / ("lines" + ending);
     std::vector<std::string> remarks;
     ASSERT_TRUE(formats::write_any_lines(file.string(), work, {}, remarks)) << ending;
@@ -331,7 +335,8 @@ TEST_F(ImportingTest, TheCorpusComesInAsItIsShown) {
     ASSERT_TRUE(all) << entry.path();
     std::size_t parts = 0;
     for (const auto& line : seen.lines) parts += line.parts.size();
-    EXPECT_EQ(all->horizons.size() + all->faults.size() + all->units.size() + all->markers.size(), parts) << entry.path();
+    EXPECT_EQ(all->horizons.size() + all->faults.size() + all->units.size() + all->markers.size(), parts)
+        << entry.path();
     ++taken;
   }
   EXPECT_GE(taken, 15U);

@@ -88,8 +88,9 @@ TEST_F(LinesFile, WhatHasNotChangedIsWrittenToTheByteInBoth) {
 }
 
 TEST_F(LinesFile, LinesMoveOutAndBackWithoutLoss) {
-  const std::string whole = "# by hand\ndobra = 1\nprogram = \"fake\"\n\n[input]\ndepth =   3.50\n\n# doubtful\n"
-                            "[[input.horizon]]\nname = \"top\"\npoints = [[0, 0],  [1, 2]]\n\n[[step]]\noperation = \"grid\"\n";
+  const std::string whole =
+      "# by hand\ndobra = 1\nprogram = \"fake\"\n\n[input]\ndepth =   3.50\n\n# doubtful\n"
+      "[[input.horizon]]\nname = \"top\"\npoints = [[0, 0],  [1, 2]]\n\n[[step]]\noperation = \"grid\"\n";
   const fs::path file = write("main.toml", whole);
   const Document before = read_document(file).value();
   Document beside = before;
@@ -135,7 +136,8 @@ TEST_F(LinesFile, AFileThatIsNoneIsRefusedWithItsPlace) {
 }
 
 TEST_F(LinesFile, NoLinesAreAnEmptyFileThatIsReadAgain) {
-  Document document = parse_document("dobra = 1\nprogram = \"fake\"\n[input]\ndepth = 1\n", folder / "main.toml").value();
+  Document document =
+      parse_document("dobra = 1\nprogram = \"fake\"\n[input]\ndepth = 1\n", folder / "main.toml").value();
   document.lines_file = "side.toml";
   ASSERT_TRUE(write_document(document, document.file));
   const auto read = read_document(document.file);
