@@ -2958,6 +2958,8 @@
     <message>
         <source>Of trishear: the full angle of the triangle.</source>
         <translation>Do trishear: o ângulo inteiro do triângulo.</translation>
+    </message>
+    <message>
         <source>Kinematics from beds</source>
         <translation>Cinemática a partir de camadas</translation>
     </message>
@@ -3004,6 +3006,8 @@
     <message>
         <source>Of trishear: how far the tip goes a metre of slip.</source>
         <translation>Do trishear: quanto a ponta avança por metro de rejeito.</translation>
+    </message>
+    <message>
         <source>Of trishear: how far the tip goes a metre of slip; one number or limits.</source>
         <translation>Do trishear: quanto a ponta avança por metro de deslizamento; um número ou limites.</translation>
     </message>
@@ -3030,6 +3034,8 @@
     <message>
         <source>Of a fault-propagation fold whose fault has its flat alone yet.</source>
         <translation>De uma dobra de propagação de falha cuja falha só tem ainda o patamar.</translation>
+    </message>
+    <message>
         <source>Of trishear: one number or limits; by default 1.</source>
         <translation>Do trishear: um número ou limites; por padrão 1.</translation>
     </message>
@@ -3080,6 +3086,8 @@
     <message>
         <source>0 is the input, k the section after k restorations and moves.</source>
         <translation>0 é a entrada, k a seção após k restaurações e movimentos.</translation>
+    </message>
+    <message>
         <source>Only these, or groups of them, are restored, each with a pin of its own; the rest stays.</source>
         <translation>Só estes, ou grupos deles, são restaurados, cada um com seu próprio pino; o resto fica.</translation>
     </message>
@@ -3138,6 +3146,8 @@
     <message>
         <source>Pins</source>
         <translation>Pinos</translation>
+    </message>
+    <message>
         <source>Direction that restored beds have, anticlockwise from +x; by default each bed has its own.</source>
         <translation>Direção que as camadas restauradas têm, anti-horária a partir de +x; por padrão cada camada tem a sua.</translation>
     </message>
@@ -3652,6 +3662,8 @@
     <message>
         <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
         <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
+    </message>
+    <message>
         <source>Open &amp;Recent</source>
         <translation>Abrir &amp;recente</translation>
     </message>
@@ -3914,6 +3926,8 @@
     <message>
         <source>Delete</source>
         <translation>Excluir</translation>
+    </message>
+    <message>
         <source>row %1: '%2' is not a number</source>
         <translation>linha %1: '%2' não é um número</translation>
     </message>
@@ -4016,6 +4030,8 @@
     <message>
         <source>&amp;Invert the selection</source>
         <translation>&amp;Inverter a seleção</translation>
+    </message>
+    <message>
         <source>Type what you want to do</source>
         <translation>Digite o que quer fazer</translation>
     </message>
@@ -4130,8 +4146,12 @@
     <message>
         <source>Not all changes of the window are in the file: save it before you run this.</source>
         <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
+    </message>
+    <message>
         <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
         <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>Apagar</translation>
     </message>
@@ -4408,8 +4428,8 @@
         <translation>e mais %1 observações</translation>
     </message>
     <message>
-        <source>%1 has %2 columns: choose which hold x, the heights or depths, and the names, under &apos;How the file is read&apos;.</source>
-        <translation>%1 tem %2 colunas: escolha quais contêm x, as alturas ou profundidades e os nomes, em &apos;Como o arquivo é lido&apos;.</translation>
+        <source>%1: choose which of its %2 columns hold x, heights or depths, and names.</source>
+        <translation>%1: escolha quais de suas %2 colunas contêm x, alturas ou profundidades e nomes.</translation>
     </message>
     <message>
         <source>Import &apos;%1&apos;</source>

@@ -311,7 +311,7 @@ void ImportDialog::show_table() {
                               ? QString("%1: %2").arg(c + 1).arg(QString::fromStdString(table->header[c]))
                               : QString::number(c + 1);
     QString role;
-    if (c + 1 == table->x) role = text("x");
+    if (c + 1 == table->x) role = "x";
     if (c + 1 == table->height) role = model_.reading(file_).y_axis == "down" ? text("depth") : text("height");
     if (c + 1 == table->names) role = text("name");
     auto* head = new QTableWidgetItem(role.isEmpty() ? title : title + "\n→ " + role);
@@ -480,9 +480,7 @@ std::optional<QString> ImportDialog::asked_above(const base::Error& error) const
     if (!table || model_.path(i).string() != error.place->file) continue;
     std::size_t columns = table->header.size();
     for (const auto& row : table->rows) columns = std::max(columns, row.size());
-    return text(
-               "%1 has %2 columns: choose which hold x, the heights or depths, and the names, under 'How the file is "
-               "read'.")
+    return text("%1: choose which of its %2 columns hold x, heights or depths, and names.")
         .arg(file_name(model_.path(i)))
         .arg(columns);
   }
