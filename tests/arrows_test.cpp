@@ -59,7 +59,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/gui/importing", {"shared/scenario/lines", "shared/gui/theme"}},
       {"shared/gui",
        {"shared/gui/documents", "shared/gui/actions", "shared/gui/theme", "shared/gui/view", "shared/gui/vertices",
-        "shared/gui/catalogue", "shared/render", "shared/scenario", "shared/canvas"}},
+        "shared/gui/catalogue", "shared/gui/importing", "shared/render", "shared/scenario", "shared/canvas"}},
       {"recon/section", {"shared/topo", "shared/scene"}},
       {"recon/input", {"recon/section", "recon/faults", "shared/scenario/lines"}},
       {"recon/maps", {"shared/geom"}},

@@ -19,7 +19,7 @@
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/messages.h"

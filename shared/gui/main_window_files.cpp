@@ -13,7 +13,7 @@
 
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/error_bar.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/import_dialog.h"
 #include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
@@ -32,7 +32,7 @@ namespace {
 constexpr int most_recent_files = 10;
 constexpr const char* recent_key = "recent_files";
 
-QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
+QString scenario_filter() { return importing::file_filter({{"Scenarios", {".toml"}}}); }
 
 /// The scenario among what is dragged over the window (empty if there is none), and what else lies on this machine.
 struct Dragged {
@@ -156,7 +156,7 @@ void MainWindow::ask_save_picture() {
   if (proposed.empty()) proposed = session_.document().folder() / "picture";
   proposed.replace_extension(endings.front());
   QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                filter_of({"Pictures", {endings.begin(), endings.end()}}));
+                                                importing::filter_of({"Pictures", {endings.begin(), endings.end()}}));
   if (chosen.isEmpty()) return;
   if (!to_path(chosen).has_extension()) chosen += endings.front();
   const base::Result<void> written = save_picture(to_path(chosen));
@@ -210,8 +210,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::ask_import() {
-  const QStringList chosen = QFileDialog::getOpenFileNames(
-      this, text("Import files"), from_path(session_.document().folder()), file_filter(program_.importing.files));
+  const QStringList chosen =
+      QFileDialog::getOpenFileNames(this, text("Import files"), from_path(session_.document().folder()),
+                                    importing::file_filter(program_.importing.files));
   std::vector<std::filesystem::path> files;
   for (const QString& file : chosen) files.push_back(to_path(file));
   if (!files.empty()) import_files(files);

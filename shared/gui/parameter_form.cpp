@@ -13,7 +13,7 @@
 
 #include "shared/base/text.h"
 #include "shared/gui/field_editor.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/tables_editor.h"
 #include "shared/gui/text.h"
@@ -78,7 +78,7 @@ QStringList range_of(const Field& field) {
   if (options.at_most) range << text("at most %1").arg(number(*options.at_most));
   if (options.other_than) range << text("not %1").arg(number(*options.other_than));
   for (const std::string& word : options.words) range << QString::fromStdString(word);
-  for (const scenario::FileKind& kind : options.files) range << filter_of(kind);
+  for (const scenario::FileKind& kind : options.files) range << importing::filter_of(kind);
   if (options.presence == scenario::Presence::Required) range << text("required");
   if (field.default_value) {
     const QString value = QString::fromStdString(scenario::value_text(*field.default_value));
