@@ -176,6 +176,8 @@ QWidget* ImportDialog::make_lines_page() {
   name_widget(pattern_kind_, "pattern_kind", text("Kind of the lines that fit the pattern"));
   for (const auto& kind : model_.importing().kinds)
     pattern_kind_->addItem(text(kind.title.c_str()), QString::fromStdString(kind.name));
+  pattern_kind_->setMinimumContentsLength(6);
+  pattern_->setMinimumWidth(10 * fontMetrics().averageCharWidth());
   apply_ = new QPushButton(text("Apply"));
   apply_->setObjectName("import.apply");
   apply_->setAutoDefault(false);
