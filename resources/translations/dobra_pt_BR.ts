@@ -4156,8 +4156,8 @@
         <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
     </message>
     <message>
-        <source>Copy step as scenario te&amp;xt</source>
-        <translation>Copiar a etapa como te&amp;xto de cenário</translation>
+        <source>Copy step as &amp;scenario text</source>
+        <translation>Copiar a etapa como &amp;texto de cenário</translation>
     </message>
     <message>
         <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
