@@ -3704,10 +3704,6 @@
         <translation>Observações</translation>
     </message>
     <message>
-        <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
-        <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
-    </message>
-    <message>
         <source>no tool &apos;%1&apos;</source>
         <translation>não há ferramenta &apos;%1&apos;</translation>
     </message>
@@ -3897,7 +3893,7 @@
     </message>
     <message>
         <source>Usual</source>
-        <translation>Usual</translation>
+        <translation>Habitual</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -4104,10 +4100,6 @@
         <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
     </message>
     <message>
-        <source>Copy step as scenario te&amp;xt</source>
-        <translation>Copiar a etapa como te&amp;xto de cenário</translation>
-    </message>
-    <message>
         <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
         <translation>A etapa selecionada, ou a entrada, como um cenário a escreve, na área de transferência</translation>
     </message>
@@ -4152,8 +4144,8 @@
         <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Apagar</translation>
+        <source>Copy step as &amp;scenario text</source>
+        <translation>Copiar a etapa como &amp;texto de cenário</translation>
     </message>
     <message>
         <source>%1 lines</source>

@@ -275,7 +275,12 @@ void TableForm::show_conditions() {
     QWidget* editor = row->tables != nullptr ? static_cast<QWidget*>(row->tables) : row->editor;
     editor->setVisible(shown);
     editor->setEnabled(!lacking);
-    if (row->reset != nullptr) row->reset->setVisible(set && !lacking);
+    if (row->reset != nullptr) {
+      QSizePolicy policy = row->reset->sizePolicy();
+      policy.setRetainSizeWhenHidden(shown);  // a row that is not shown takes no room
+      row->reset->setSizePolicy(policy);
+      row->reset->setVisible(set && !lacking);
+    }
     row->vain->setVisible(set && lacking);
     if (lacking) row->vain_words->setText(without_effect(*lacking));
     row->message->setVisible(shown && !row->message->text().isEmpty());
