@@ -50,7 +50,7 @@ struct CurveParams {
             {.title = "Points",
              .help = "Vertices of a line or polygon; first and last point of an arc.",
              .unit = "m",
-             .when = "kind in line, polygon, arc, spline"});
+             .when = "kind in line, polygon, arc, spline, bezier"});
     d.field("centre", &CurveParams::centre,
             {.title = "Centre", .help = "Of an arc or circle.", .unit = "m", .when = "kind in arc, circle"});
     d.field("radius", &CurveParams::radius,
@@ -243,7 +243,8 @@ struct InputParams : sketch::LineInput {
     d.field("kind", &InputParams::kinds,
             {.title = "Kinds by names",
              .help = "What curves of the file are, such as 'C*=crack': outline, hole, internal, crack, found (as the "
-                     "drawing shows), or none to leave them out; the first that fits a name counts."});
+                     "drawing shows), or none to leave them out; the first that fits a name counts.",
+             .when = "file is set"});
     sketch::LineInput::describe_in<InputParams>(d);
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance",

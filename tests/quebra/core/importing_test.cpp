@@ -12,6 +12,7 @@
 
 #include "quebra/core/drawing.h"
 #include "quebra/core/operations.h"
+#include "shared/scenario/condition.h"
 #include "shared/scenario/entries.h"
 #include "shared/scenario/lines/import_rules.h"
 #include "shared/scenario/runner.h"
@@ -254,6 +255,33 @@ Physical Curve("left") = {4}; Physical Surface("rock") = {1};
       EXPECT_EQ(after.domain.points[i].size, before.domain.points[i].size);
     }
   }
+}
+
+/// A chain of two cubics is the curve of its vertices: by de Casteljau, and at both ends and the joint.
+TEST_F(QuebraImport, ABezierOfTheScenarioPassesWhereItsVerticesSay) {
+  const model::Model model = model_of(document_of(R"([[input.curve]]
+name = "wave"
+kind = "bezier"
+points = [[0, 0], [1, 2], [3, 2], [4, 0], [5, -2], [7, -2], [8, 0]]
+[[input.curve]]
+name = "foot"
+points = [[8, 0], [8, -4], [0, -4], [0, 0]]
+)"));
+  const auto wave = std::find_if(model.domain.curves.begin(), model.domain.curves.end(),
+                                 [](const sketch::Curve& curve) { return curve.name == "wave"; });
+  ASSERT_NE(wave, model.domain.curves.end());
+  const double half = 0.5 * length(*wave);  // the second cubic is the first one turned
+  EXPECT_NEAR(geom::distance(point(*wave, half), {4, 0}), 0.0, 1e-9);
+  EXPECT_NEAR(geom::distance(point(*wave, 0.5 * half), {2, 1.5}), 0.0, 1e-9);  // (0 + 3*2 + 3*2 + 0) / 8
+  const auto few =
+      try_model(document_of("[[input.curve]]\nname = \"w\"\nkind = \"bezier\"\n"
+                            "points = [[0, 0], [1, 2], [3, 2], [4, 0], [5, 1]]\n"));
+  ASSERT_FALSE(few);
+  EXPECT_NE(few.error().message.find("3 more"), std::string::npos) << few.error().message;
+  const scenario::Document set = document_of(
+      "[[input.curve]]\nname = \"w\"\nkind = \"bezier\"\n"
+      "points = [[0, 0], [1, 2], [3, 2], [4, 0]]\n");
+  EXPECT_TRUE(scenario::without_effect(set.input, program().input_fields).empty());
 }
 
 TEST_F(QuebraImport, NamedPointsAndRegionsMoveAndGo) {
