@@ -7,11 +7,15 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPainter>
 #include <QScrollArea>
 #include <QTest>
+#include <QTimer>
+#include <QUrl>
 #include <set>
 
 #include "shared/gui/actions/palette.h"
@@ -204,6 +208,29 @@ TEST_P(Situations, ThePalette) {
   QTest::keyClicks(focus(), "li");
   take("08_palette");
   QTest::keyClick(focus(), Qt::Key_Escape);
+}
+
+TEST_P(Situations, AFileBeingImported) {
+  open("recon/", "fold.toml");
+  QTimer look;
+  bool seen = false;
+  QObject::connect(&look, &QTimer::timeout, &look, [&] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (dialog == nullptr || seen) return;
+    seen = true;
+    QTest::qWait(500);  // judged after a pause
+    take("09_import");
+    QTest::keyClick(dialog, Qt::Key_Escape);
+  });
+  look.start(50);
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(examples_.file("recon/listric.csv").string()))});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(window_.get(), &enter);
+  QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seen && QApplication::activeModalWidget() == nullptr; }, 20000));
+  rest();
 }
 
 TEST_P(Situations, AMeshAnalysed) {
