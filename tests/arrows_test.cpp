@@ -51,7 +51,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/operations", {"shared/scenario/lines", "shared/offset"}},
       {"shared/cli", {"shared/render", "shared/operations"}},
       {"shared/gui/documents", {"shared/scenario"}},
-      {"shared/gui/theme", {"shared/base"}},
+      {"shared/gui/theme", {"shared/scene"}},
       {"shared/gui/actions", {"shared/gui/theme"}},
       {"shared/gui",
        {"shared/gui/documents", "shared/gui/actions", "shared/gui/theme", "shared/render", "shared/scenario",

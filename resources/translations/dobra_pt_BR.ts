@@ -3883,5 +3883,33 @@
         <source>Not all changes of the window are in the file: save it before you run this.</source>
         <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
     </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>T&amp;ela</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Como o &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Escuro</translation>
+    </message>
+    <message>
+        <source>&amp;White paper</source>
+        <translation>Papel &amp;branco</translation>
+    </message>
+    <message>
+        <source>&amp;Dark canvas</source>
+        <translation>Tela es&amp;cura</translation>
+    </message>
 </context>
 </TS>

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
@@ -50,7 +51,7 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
 
 MainWindow::MainWindow(const scenario::Program& program, std::string about)
     : program_(program), about_(std::move(about)), session_(program), player_(session_), actions_(*this) {
-  QApplication::setPalette(theme::with_quiet_words(QApplication::palette()));
+  theme::apply(kept_theme());
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
   resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
@@ -82,7 +83,7 @@ void MainWindow::make_center() {
   hint_->setWordWrap(true);
   hint_->setMargin(100);  // so that it stands between the axes
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  hint_->setStyleSheet("font-size: 12pt; color: " + QColor::fromRgb(theme::paper_quiet).name());
+  set_canvas(kept_canvas());
   auto* middle = new QVBoxLayout(view_);
   middle->addWidget(hint_);
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
@@ -91,6 +92,31 @@ void MainWindow::make_center() {
   connect(view_, &VtkWidget::picked, canvas_, &Canvas::tell_pick);
   connect(canvas_, &Canvas::told, this, [this](const QString& what) { status_->show_hint(what); });
   connect(canvas_, &Canvas::unfinished_changed, this, &MainWindow::show_undo);
+}
+
+void MainWindow::set_canvas(theme::Canvas canvas) {
+  view_->set_canvas(canvas);
+  hint_->setStyleSheet("font-size: 12pt; color: " + view_->colors().quiet.name());
+}
+
+void MainWindow::set_theme(theme::Theme theme) {
+  form_->form()->commit();
+  theme::apply(theme);
+}
+
+/// What has taken colours out of the palette takes them again.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || results_ == nullptr) return;
+  // Behind the children, which hear of it later.
+  QTimer::singleShot(0, this, [this] {
+    form_->form()->commit();
+    form_->forget();
+    show_form();
+    if (!session_.outcome()) return;
+    results_->show_outcome(*session_.outcome());
+    layers_->show_picture(documents::picture_of(*session_.outcome(), shown_));
+  });
 }
 
 void MainWindow::make_docks() {

@@ -11,6 +11,7 @@
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
+#include "shared/gui/theme/colors.h"
 
 class QDockWidget;
 class QLabel;
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -82,6 +84,7 @@ class MainWindow : public QMainWindow {
   void add_file_actions();
   void add_edit_actions();
   void add_view_actions();
+  void add_color_actions();
   void add_panel_action(QDockWidget& panel);
   void add_run_actions();
   void add_help_actions();
@@ -94,6 +97,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::vector<actions::Choice> choices();
   void add_choices_of_document(std::vector<actions::Choice>& all);
   void show_keys();
+  [[nodiscard]] theme::Theme kept_theme() const;
+  [[nodiscard]] theme::Canvas kept_canvas() const;
+  void set_theme(theme::Theme theme);
+  void set_canvas(theme::Canvas canvas);
   void copy_step();
   void paste_step();
   void copy_command();

@@ -35,6 +35,8 @@ namespace {
 constexpr const char* main_bar = "tool_bar";
 constexpr const char* watch_bar = "watch_bar";
 constexpr const char* shown_key = "shown";
+constexpr const char* theme_key = "theme";
+constexpr const char* canvas_key = "canvas";
 
 const char* name_of(documents::Shown shown) {
   switch (shown) {
@@ -275,7 +277,47 @@ void MainWindow::add_view_actions() {
   add(documents::Shown::Input, "The input", Qt::Key_1, Symbol::ShowInput);
   add(documents::Shown::Result, "The result", Qt::Key_2, Symbol::ShowResult);
   add(documents::Shown::Both, "Input and result", Qt::Key_3, Symbol::ShowBoth);
+  add_color_actions();
   for (QDockWidget* each : findChildren<QDockWidget*>()) add_panel_action(*each);
+}
+
+theme::Theme MainWindow::kept_theme() const {
+  const QString name = settings().value(theme_key, "system").toString();
+  return name == "dark" ? theme::Theme::Dark : name == "light" ? theme::Theme::Light : theme::Theme::System;
+}
+
+theme::Canvas MainWindow::kept_canvas() const {
+  return settings().value(canvas_key, "paper").toString() == "dark" ? theme::Canvas::Dark : theme::Canvas::Paper;
+}
+
+void MainWindow::add_color_actions() {
+  const auto add = [this](const char* key, const char* name, const char* words, const char* menu, auto&& apply,
+                          auto&& is_on) {
+    actions_.add({.id = std::string(key) + "." + name,
+                  .text = words,
+                  .menu = std::string("&View/") + menu,
+                  .section = key,
+                  .run =
+                      [this, key, name, apply] {
+                        settings().setValue(key, name);
+                        apply();
+                      },
+                  .checked = is_on,
+                  .choice = key});
+  };
+  for (const auto& [theme, name, words] : {std::tuple{theme::Theme::System, "system", "As the &system"},
+                                           {theme::Theme::Light, "light", "&Light"},
+                                           {theme::Theme::Dark, "dark", "&Dark"}}) {
+    add(
+        theme_key, name, words, "&Theme", [this, theme = theme] { set_theme(theme); },
+        [this, theme = theme] { return kept_theme() == theme; });
+  }
+  for (const auto& [canvas, name, words] :
+       {std::tuple{theme::Canvas::Paper, "paper", "&White paper"}, {theme::Canvas::Dark, "dark", "&Dark canvas"}}) {
+    add(
+        canvas_key, name, words, "&Canvas", [this, canvas = canvas] { set_canvas(canvas); },
+        [this, canvas = canvas] { return kept_canvas() == canvas; });
+  }
 }
 
 void MainWindow::add_panel_action(QDockWidget& panel) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "shared/gui/theme/colors.h"
 #include "shared/scene/pick.h"
 #include "shared/scene/view.h"
 
@@ -24,6 +25,10 @@ class VtkWidget : public QOpenGLWidget {
 
   void set_picture(scene::Picture picture, Looking looking);
   void set_layer_visible(const std::string& panel, const std::string& layer, bool visible);
+
+  /// What pictures are drawn on.
+  void set_canvas(theme::Canvas canvas);
+  [[nodiscard]] const theme::CanvasColors& colors() const { return theme::canvas_colors(canvas_); }
 
   /// All of every panel, at the scale they share.
   void fit();
@@ -93,6 +98,7 @@ class VtkWidget : public QOpenGLWidget {
   /// Frames are to be quick from now on, until the view has been at rest for a while.
   void hurry();
 
+  theme::Canvas canvas_ = theme::Canvas::Paper;
   scene::Picture picture_;                         ///< As given.
   std::optional<geom::Point> place_;               ///< Where the marker stands.
   std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
