@@ -7,8 +7,8 @@ namespace dobra::scene {
 
 namespace {
 
-constexpr double cover = 0.9;   ///< Of the light, or the dark, behind words.
-constexpr double faint = 1.6;   ///< Contrast to white paper below which a grey line is meant to stand back.
+constexpr double cover = 0.9;  ///< Of the light, or the dark, behind words.
+constexpr double faint = 1.6;  ///< Contrast to white paper below which a grey line is meant to stand back.
 
 double luminance(const Color& color) {
   const auto linear = [](std::uint8_t part) {
@@ -71,7 +71,8 @@ Style style_on(const Layer& layer, const Ground& ground) {
   const bool filled = style.fill.has_value() && !std::holds_alternative<Lines>(layer.content);
   // The outline of a fill is seen on the fill.
   if (filled || (mesh != nullptr && mesh->values_at != ValuesAt::None)) return style;
-  style.line = std::holds_alternative<Labels>(layer.content) ? words_on(style.line, ground) : line_on(style.line, ground);
+  style.line =
+      std::holds_alternative<Labels>(layer.content) ? words_on(style.line, ground) : line_on(style.line, ground);
   return style;
 }
 
@@ -81,7 +82,8 @@ Mark on_ground(Mark mark, const Ground& ground) {
   if (auto* disc = std::get_if<DiscMark>(&mark)) disc->fill = line_on(disc->fill, ground);
   if (auto* text = std::get_if<TextMark>(&mark)) text->color = words_on(text->color, ground);
   if (auto* box = std::get_if<BoxMark>(&mark)) {
-    const bool behind_words = box->fill && box->fill->alpha < 255 && *box->fill == Color{255, 255, 255, box->fill->alpha};
+    const bool behind_words =
+        box->fill && box->fill->alpha < 255 && *box->fill == Color{255, 255, 255, box->fill->alpha};
     if (behind_words) {
       box->fill = ground.paper;
       box->fill->alpha = byte(255.0 * cover);

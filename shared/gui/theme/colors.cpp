@@ -23,17 +23,26 @@ struct Row {
   QRgb light;
   QRgb dark;
 };
-constexpr Row table[] = {
-    {QPalette::Window, 0xfff0f0f0, 0xff2b2e31},          {QPalette::WindowText, 0xff1a1a1a, 0xffe8eaec},
-    {QPalette::Base, 0xffffffff, 0xff1f2123},            {QPalette::AlternateBase, 0xfff5f6f7, 0xff26292c},
-    {QPalette::Text, 0xff1a1a1a, 0xffe8eaec},            {QPalette::PlaceholderText, 0xff5a5a5a, 0xffb4b9be},
-    {QPalette::Button, 0xffeaeaea, 0xff363a3e},          {QPalette::ButtonText, 0xff1a1a1a, 0xffe8eaec},
-    {QPalette::BrightText, 0xff000000, 0xffffffff},      {QPalette::Highlight, 0xff2a6fb5, 0xff2f6db0},
-    {QPalette::HighlightedText, 0xffffffff, 0xffffffff}, {QPalette::Link, 0xff125c8e, 0xff7cc0ff},
-    {QPalette::LinkVisited, 0xff6a3d8f, 0xffc9a7ee},     {QPalette::ToolTipBase, 0xffffffe6, 0xff3a3e42},
-    {QPalette::ToolTipText, 0xff1a1a1a, 0xffe8eaec},     {QPalette::Light, 0xffffffff, 0xff4a4f54},
-    {QPalette::Midlight, 0xfff7f7f7, 0xff40444a},        {QPalette::Mid, 0xffb8b8b8, 0xff24272a},
-    {QPalette::Dark, 0xff9f9f9f, 0xff1a1c1e},            {QPalette::Shadow, 0xff6b6b6b, 0xff0d0e0f}};
+constexpr Row table[] = {{QPalette::Window, 0xfff0f0f0, 0xff2b2e31},
+                         {QPalette::WindowText, 0xff1a1a1a, 0xffe8eaec},
+                         {QPalette::Base, 0xffffffff, 0xff1f2123},
+                         {QPalette::AlternateBase, 0xfff5f6f7, 0xff26292c},
+                         {QPalette::Text, 0xff1a1a1a, 0xffe8eaec},
+                         {QPalette::PlaceholderText, 0xff5a5a5a, 0xffb4b9be},
+                         {QPalette::Button, 0xffeaeaea, 0xff363a3e},
+                         {QPalette::ButtonText, 0xff1a1a1a, 0xffe8eaec},
+                         {QPalette::BrightText, 0xff000000, 0xffffffff},
+                         {QPalette::Highlight, 0xff2a6fb5, 0xff2f6db0},
+                         {QPalette::HighlightedText, 0xffffffff, 0xffffffff},
+                         {QPalette::Link, 0xff125c8e, 0xff7cc0ff},
+                         {QPalette::LinkVisited, 0xff6a3d8f, 0xffc9a7ee},
+                         {QPalette::ToolTipBase, 0xffffffe6, 0xff3a3e42},
+                         {QPalette::ToolTipText, 0xff1a1a1a, 0xffe8eaec},
+                         {QPalette::Light, 0xffffffff, 0xff4a4f54},
+                         {QPalette::Midlight, 0xfff7f7f7, 0xff40444a},
+                         {QPalette::Mid, 0xffb8b8b8, 0xff24272a},
+                         {QPalette::Dark, 0xff9f9f9f, 0xff1a1c1e},
+                         {QPalette::Shadow, 0xff6b6b6b, 0xff0d0e0f}};
 constexpr Row disabled_words = {QPalette::NoRole, 0xff636363, 0xffa3a8ad};
 
 QPalette made(bool dark) {
@@ -83,9 +92,10 @@ ErrorColors error_colors(const QPalette& palette) {
 
 QString error_bar_style(const QPalette& palette) {
   const ErrorColors c = error_colors(palette);
-  return QString("#error_bar { background: %1; border: 1px solid %2; }"
-                 "#error_bar QLabel { color: %3; }"
-                 "#error_bar QToolButton { color: %3; background: %4; border: 1px solid %5; padding: 2px 8px; }")
+  return QString(
+             "#error_bar { background: %1; border: 1px solid %2; }"
+             "#error_bar QLabel { color: %3; }"
+             "#error_bar QToolButton { color: %3; background: %4; border: 1px solid %5; padding: 2px 8px; }")
       .arg(c.back.name(), c.border.name(), c.words.name(), c.button.name(), c.button_border.name());
 }
 
@@ -98,14 +108,9 @@ const CanvasColors& canvas_colors(Canvas canvas) {
                                   QColor(0xd9, 0x5f, 0x02),
                                   QColor(0xb0, 0x00, 0x6d),
                                   QColor(0xff, 0xff, 0xff)};
-  static const CanvasColors dark{{{0x1e, 0x21, 0x24}},
-                                 QColor(0xa8, 0xad, 0xb3),
-                                 QColor(0xf0, 0xf0, 0xf0),
-                                 QColor(0x1e, 0x21, 0x24, 0xe1),
-                                 QColor(0x6a, 0xb0, 0xff),
-                                 QColor(0xff, 0x9d, 0x4d),
-                                 QColor(0xff, 0x6f, 0xc8),
-                                 QColor(0x1e, 0x21, 0x24)};
+  static const CanvasColors dark{{{0x1e, 0x21, 0x24}},           QColor(0xa8, 0xad, 0xb3), QColor(0xf0, 0xf0, 0xf0),
+                                 QColor(0x1e, 0x21, 0x24, 0xe1), QColor(0x6a, 0xb0, 0xff), QColor(0xff, 0x9d, 0x4d),
+                                 QColor(0xff, 0x6f, 0xc8),       QColor(0x1e, 0x21, 0x24)};
   return canvas == Canvas::Dark ? dark : paper;
 }
 

@@ -35,12 +35,23 @@ QColor paper_of(const theme::CanvasColors& colors) {
 void expect_readable(const QPalette& palette) {
   using P = QPalette;
   for (const P::ColorGroup group : {P::Active, P::Inactive, P::Disabled}) {
-    for (const auto& [words, back] :
-         {std::pair{P::WindowText, P::Window}, {P::Text, P::Base}, {P::Text, P::AlternateBase}, {P::Text, P::Window},
-          {P::WindowText, P::Base}, {P::ButtonText, P::Button}, {P::ButtonText, P::Window},
-          {P::HighlightedText, P::Highlight}, {P::PlaceholderText, P::Base}, {P::PlaceholderText, P::Window},
-          {P::PlaceholderText, P::AlternateBase}, {P::PlaceholderText, P::Button}, {P::ToolTipText, P::ToolTipBase},
-          {P::Link, P::Base}, {P::Link, P::Window}, {P::LinkVisited, P::Base}, {P::BrightText, P::Window}}) {
+    for (const auto& [words, back] : {std::pair{P::WindowText, P::Window},
+                                      {P::Text, P::Base},
+                                      {P::Text, P::AlternateBase},
+                                      {P::Text, P::Window},
+                                      {P::WindowText, P::Base},
+                                      {P::ButtonText, P::Button},
+                                      {P::ButtonText, P::Window},
+                                      {P::HighlightedText, P::Highlight},
+                                      {P::PlaceholderText, P::Base},
+                                      {P::PlaceholderText, P::Window},
+                                      {P::PlaceholderText, P::AlternateBase},
+                                      {P::PlaceholderText, P::Button},
+                                      {P::ToolTipText, P::ToolTipBase},
+                                      {P::Link, P::Base},
+                                      {P::Link, P::Window},
+                                      {P::LinkVisited, P::Base},
+                                      {P::BrightText, P::Window}}) {
       EXPECT_GE(contrast_of(palette.color(group, words), palette.color(group, back)), 4.5)
           << "group " << group << ": role " << words << " on " << back;
     }
