@@ -11,6 +11,7 @@
 
 #include "shared/canvas/tool.h"
 #include "shared/gui/session.h"
+#include "shared/gui/view/line_menu.h"
 
 class QLineEdit;
 class QMouseEvent;
@@ -38,6 +39,8 @@ class Canvas : public QObject {
   /// Of the last run `picture` is shown. That of an edit under way changes nothing here.
   void show_outcome(std::shared_ptr<const scene::Picture> picture);
   void show_hint();
+  /// In the place of the hint, until the next click.
+  void say(const QString& message);
   /// What lies where the picture was clicked; of no interest to a tool that draws.
   void tell_pick(const QString& what);
   /// Nothing is there yet but a sheet to draw on.
@@ -50,12 +53,34 @@ class Canvas : public QObject {
   /// Lines are drawn in multiples of 15 degrees.
   void set_angles(bool on) { angles_ = on; }
 
+  /// Places without another snap go to the crossings of the ticks of the axes.
+  void set_grid_snapping(bool on) { grid_snapping_ = on; }
+  [[nodiscard]] bool grid_snapping() const { return grid_snapping_; }
+
+  void select_all();
+  void invert_selection();
+  /// The selected lines go to the clipboard as text (canvas/line_text.h).
+  void copy();
+  void cut();
+  /// The lines of the clipboard are drawn where they were, each with the question what it is.
+  void paste();
+  void look_at_selection();
+  /// The line under the cursor, with the place on it that is nearest.
+  [[nodiscard]] const std::optional<canvas::Snap>& hovered() const { return hovered_; }
+
   /// As if the tool in hand had made it.
   void carry_out(const canvas::Edited& edited);
 
  signals:
   /// What the tool waits for; until the next click or key why it has done nothing.
   void told(const QString& message);
+  /// The dip of the line under the cursor; empty where there is none.
+  void over_line(const QString& dip);
+  /// Select is to be taken up.
+  void put_away();
+  void hide_asked(const QString& panel, const QString& layer);
+  /// The line called `name`, in the table of the input that is named, is to have another name, or be of another kind.
+  void rename_asked(const QString& table, const QString& name);
   /// Something is being drawn now, or is no more.
   void unfinished_changed();
   /// What only the user can decide.
@@ -68,7 +93,7 @@ class Canvas : public QObject {
 
  private:
   class Sheet;
-  [[nodiscard]] std::optional<canvas::Pointer> pointer_at(QPointF pixel, Qt::KeyboardModifiers keys);
+  [[nodiscard]] std::optional<canvas::Pointer> pointer_at(QPointF pixel, Qt::KeyboardModifiers keys, bool pressed);
   bool mouse(QMouseEvent& event, QEvent::Type type);
   bool key_press(int key, const QString& typed);
   [[nodiscard]] static std::optional<canvas::Key> key_of(int key);
@@ -76,8 +101,14 @@ class Canvas : public QObject {
   bool entry_key(const QEvent& event);
   void enter();
   void carry_out();
-  void say(const QString& message);
+  void carry_out(const std::vector<canvas::Change>& changes);
   void use_panel(std::size_t panel);
+  void use_unit();
+  void hover(const QMouseEvent& event);
+  void forget_hover();
+  void show_menu(QPoint global);
+  void carry_out(view::LineCommand command, const canvas::Snap& on);
+  void work_on(canvas::LineWork work, const canvas::Snap& on);
 
   Session& session_;
   VtkWidget& view_;
@@ -91,8 +122,10 @@ class Canvas : public QObject {
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
   std::optional<canvas::Pointer> pointer_;
+  std::optional<canvas::Snap> hovered_;
   bool snapping_ = true;
   bool angles_ = false;
+  bool grid_snapping_ = false;
   bool previewed_ = false;
   bool was_unfinished_ = false;
 };

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "shared/gui/canvas.h"
+#include "shared/gui/documents/line_entries.h"
 #include "shared/gui/text.h"
 
 namespace dobra::gui {
@@ -45,11 +46,15 @@ DrawBar::DrawBar(Session& session, Canvas& canvas, actions::Registry& actions, Q
   actions_.fill(*this, "draw_bar");
   connect(&canvas, &Canvas::drawn, this, &DrawBar::ask);
   connect(&canvas, &Canvas::asked, this, &DrawBar::ask_which);
+  connect(&canvas, &Canvas::put_away, this, [this] { actions_.trigger("draw.select"); });
+  connect(&canvas, &Canvas::rename_asked, this, &DrawBar::ask_name);
 }
 
 void DrawBar::add_tools() {
   add_tool("look", "select", "Select", theme::Symbol::Select, Qt::Key_S, canvas::make_select_tool);
   add_tool("look", "measure", "Measure", theme::Symbol::Measure, Qt::Key_M, canvas::make_measure_tool);
+  add_tool("look", "hand", "Hand", theme::Symbol::Hand, Qt::Key_H, canvas::make_hand_tool);
+  add_tool("look", "zoom", "Zoom to a box", theme::Symbol::ZoomWindow, Qt::Key_Z, canvas::make_zoom_tool);
   if (session_.program().drawing.add) {
     add_tool("draw", "line", "Line", theme::Symbol::Line, Qt::Key_L,
              [] { return canvas::make_draw_tool(Drawing::Line); });
@@ -113,6 +118,14 @@ void DrawBar::add_switches() {
                 .keys = {QKeySequence(Qt::Key_F3)},
                 .run = [this] { canvas_.set_snapping(!canvas_.snapping()); },
                 .checked = [this] { return canvas_.snapping(); }});
+  actions_.add({.id = "draw.grid",
+                .text = "Snap to the grid",
+                .help = "Places that meet nothing else go to the crossings of the ticks of the axes",
+                .menu = "&Draw",
+                .section = "switches",
+                .keys = {QKeySequence(Qt::Key_F4)},
+                .run = [this] { canvas_.set_grid_snapping(!canvas_.grid_snapping()); },
+                .checked = [this] { return canvas_.grid_snapping(); }});
   actions_.add({.id = "draw.angles",
                 .text = "Draw at multiples of 15°",
                 .menu = "&Draw",
@@ -125,14 +138,40 @@ void DrawBar::add_switches() {
 void DrawBar::ask(const canvas::Drawn& what) {
   std::vector<scenario::Drawing::Kind> kinds = session_.program().drawing.kinds;
   std::erase_if(kinds, [&](const auto& kind) { return kind.of != kind_of(what.shape); });
-  if (kinds.empty()) return;
+  if (kinds.empty()) {
+    canvas_.say(text("This cannot be drawn here: the document has no place for it."));
+    return;
+  }
   const auto add = [&](const std::string& kind, const std::string& name) -> base::Result<void> {
     DOBRA_TRY(scenario::Document document, session_.program().drawing.add(session_.document(), kind, name, what.line));
     session_.edit(std::move(document), text("Draw '%1'").arg(QString::fromStdString(name)));
     return {};
   };
   NewLine question(std::move(kinds), last_kind_, add, this);
+  question.propose(QString::fromStdString(what.name));
   if (question.exec() == QDialog::Accepted) last_kind_ = question.kind();
+}
+
+void DrawBar::ask_name(const QString& table, const QString& name) {
+  const scenario::Program& program = session_.program();
+  std::vector<scenario::Drawing::Kind> kinds = program.drawing.kinds;
+  const std::string before = table.toStdString();
+  const auto own = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.table == before; });
+  if (own == kinds.end()) return;
+  const Of of = own->of;
+  std::erase_if(kinds, [&](const auto& kind) { return kind.of != of; });
+  const auto change = [&](const std::string& kind, const std::string& to) -> base::Result<void> {
+    DOBRA_TRY(scenario::Document document,
+              documents::with_line_renamed(session_.document(), program, before, name.toStdString(), to));
+    DOBRA_TRY(document, documents::with_line_of_kind(std::move(document), program, before, to, kind));
+    session_.edit(std::move(document), text("Rename '%1'").arg(name));
+    return {};
+  };
+  NewLine question(std::move(kinds), before, change, this);
+  question.setWindowTitle(text("Name and kind"));
+  question.propose(name);
+  question.call_button(text("Change"));
+  question.exec();
 }
 
 void DrawBar::ask_which(const canvas::Asked& what) {
@@ -168,14 +207,21 @@ NewLine::NewLine(std::vector<scenario::Drawing::Kind> kinds, const std::string& 
   rows->addRow(text("Name"), name_);
   rows->addRow(refused_);
   auto* buttons = new QDialogButtonBox(this);
-  QPushButton* add_button = buttons->addButton(text("Add"), QDialogButtonBox::AcceptRole);
-  add_button->setDefault(true);
+  add_button_ = buttons->addButton(text("Add"), QDialogButtonBox::AcceptRole);
+  add_button_->setDefault(true);
   buttons->addButton(text("Discard"), QDialogButtonBox::RejectRole);
   rows->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &NewLine::try_to_add);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   name_->setFocus();
 }
+
+void NewLine::propose(const QString& name) {
+  name_->setText(name);
+  name_->selectAll();
+}
+
+void NewLine::call_button(const QString& words) { add_button_->setText(words); }
 
 std::string NewLine::kind() const { return kinds_[static_cast<std::size_t>(kind_->currentIndex())].table; }
 

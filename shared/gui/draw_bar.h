@@ -12,6 +12,7 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace dobra::gui {
 
@@ -31,6 +32,7 @@ class DrawBar : public QToolBar {
   void add_tools();
   void add_switches();
   void ask(const canvas::Drawn& what);
+  void ask_name(const QString& table, const QString& name);
   void ask_which(const canvas::Asked& what);
 
   Session& session_;
@@ -51,6 +53,10 @@ class NewLine : public QDialog {
           std::function<base::Result<void>(const std::string& kind, const std::string& name)> add, QWidget* parent);
 
   [[nodiscard]] std::string kind() const;
+  /// What it is called unless the user says otherwise.
+  void propose(const QString& name);
+  /// Of the button that takes what is said.
+  void call_button(const QString& words);
 
  private:
   void try_to_add();
@@ -60,6 +66,7 @@ class NewLine : public QDialog {
   QComboBox* kind_ = nullptr;
   QLineEdit* name_ = nullptr;
   QLabel* refused_ = nullptr;
+  QPushButton* add_button_ = nullptr;
 };
 
 }  // namespace dobra::gui

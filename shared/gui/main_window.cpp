@@ -28,6 +28,7 @@
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
+#include "shared/gui/view/exaggeration_box.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
 
@@ -83,7 +84,7 @@ void MainWindow::make_center() {
   hint_->setWordWrap(true);
   hint_->setMargin(100);  // so that it stands between the axes
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  set_canvas(kept_canvas());
+  show_canvas();
   auto* middle = new QVBoxLayout(view_);
   middle->addWidget(hint_);
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
@@ -92,10 +93,11 @@ void MainWindow::make_center() {
   connect(view_, &VtkWidget::picked, canvas_, &Canvas::tell_pick);
   connect(canvas_, &Canvas::told, this, [this](const QString& what) { status_->show_hint(what); });
   connect(canvas_, &Canvas::unfinished_changed, this, &MainWindow::show_undo);
+  connect(canvas_, &Canvas::over_line, this, [this](const QString& dip) { status_->show_dip(dip); });
 }
 
-void MainWindow::set_canvas(theme::Canvas canvas) {
-  view_->set_canvas(canvas);
+void MainWindow::show_canvas() {
+  view_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
   hint_->setStyleSheet("font-size: 12pt; color: " + view_->colors().quiet.name());
 }
 
@@ -110,6 +112,7 @@ void MainWindow::changeEvent(QEvent* event) {
   if (event->type() != QEvent::PaletteChange || results_ == nullptr) return;
   // Behind the children, which hear of it later.
   QTimer::singleShot(0, this, [this] {
+    show_canvas();
     form_->form()->commit();
     form_->forget();
     show_form();
@@ -187,6 +190,12 @@ void MainWindow::show_player() {
 void MainWindow::make_status_bar() {
   status_ = new StatusLine(this);
   setStatusBar(status_);
+  exaggeration_ = new view::ExaggerationBox(status_);
+  status_->addPermanentWidget(exaggeration_);
+  connect(exaggeration_, &view::ExaggerationBox::chosen, this, &MainWindow::set_exaggeration);
+  connect(exaggeration_, &view::ExaggerationBox::refused, canvas_, &Canvas::say);
+  connect(view_, &VtkWidget::exaggerated, this,
+          [this](double drawn) { exaggeration_->show_value(look_.exaggeration, drawn); });
   connect(status_, &StatusLine::cancel_asked, this, [this] { session_.cancel(); });
   canvas_->show_hint();
 }
@@ -339,7 +348,7 @@ void MainWindow::show_outcome() {
 
 void MainWindow::show_picture() {
   if (!session_.outcome()) return;
-  const auto picture = std::make_shared<const scene::Picture>(documents::picture_of(*session_.outcome(), shown_));
+  const auto picture = std::make_shared<const scene::Picture>(picture_shown());
   const scene::Picture wanted = layers_->chosen(*picture);
   layers_->show_picture(wanted);
   if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more

@@ -12,6 +12,7 @@
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
 #include "shared/gui/theme/colors.h"
+#include "shared/gui/view/settings.h"
 
 class QDockWidget;
 class QLabel;
@@ -31,6 +32,9 @@ class ParameterForm;
 class Results;
 class StatusLine;
 class VtkWidget;
+namespace view {
+class ExaggerationBox;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -91,6 +95,18 @@ class MainWindow : public QMainWindow {
   void make_status_bar();
   void connect_session();
   void show_player();
+  /// How the picture is looked at, and what is done with what is selected.
+  void add_look_actions();
+  void add_selection_actions();
+  /// One of the settings of the view: a choice in a menu of its own.
+  template <class Choice>
+  void add_look_choices(const char* name, const char* title, Choice view::Settings::*setting,
+                        const std::vector<std::tuple<Choice, const char*, const char*>>& choices);
+  void add_look_switch(const char* name, const char* title, QKeySequence keys, std::function<void()> turn,
+                       std::function<bool()> is_on);
+  void set_exaggeration(const std::optional<double>& exaggeration);
+  void show_look();
+  [[nodiscard]] scene::Picture picture_shown() const;
   /// Whether the program has an operation that can be watched at work.
   [[nodiscard]] bool can_watch() const;
   /// What the palette offers now.
@@ -98,9 +114,10 @@ class MainWindow : public QMainWindow {
   void add_choices_of_document(std::vector<actions::Choice>& all);
   void show_keys();
   [[nodiscard]] theme::Theme kept_theme() const;
-  [[nodiscard]] theme::Canvas kept_canvas() const;
+  [[nodiscard]] theme::CanvasChoice kept_canvas() const;
   void set_theme(theme::Theme theme);
-  void set_canvas(theme::Canvas canvas);
+  /// The canvas that is chosen, in the theme as it is.
+  void show_canvas();
   void copy_step();
   void paste_step();
   void copy_command();
@@ -154,6 +171,8 @@ class MainWindow : public QMainWindow {
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
   StatusLine* status_ = nullptr;
+  view::Settings look_;
+  view::ExaggerationBox* exaggeration_ = nullptr;
   documents::Shown shown_ = documents::Shown::Result;
   std::optional<base::Error> error_;  ///< What the error bar says.
   std::size_t form_part_ = 0;         ///< Whose parameters the form shows.

@@ -186,6 +186,7 @@ void MainWindow::add_edit_actions() {
                 .section = "copy",
                 .run = [this] { copy_command(); },
                 .enabled = [this] { return !session_.document().file.empty(); }});
+  add_selection_actions();
   const auto selected = [this] { return steps_->selected(); };
   actions_.add({.id = "step.remove",
                 .text = "Remove the step",
@@ -255,6 +256,7 @@ void MainWindow::add_view_actions() {
                 .symbol = Symbol::Fit,
                 .keys = {QKeySequence(Qt::Key_F)},
                 .run = [this] { view_->fit(); }});
+  add_look_actions();
   const QString kept = settings().value(shown_key, "result").toString();
   const auto add = [&](documents::Shown shown, const char* words, int key, Symbol symbol) {
     if (kept == name_of(shown)) shown_ = shown;
@@ -286,8 +288,10 @@ theme::Theme MainWindow::kept_theme() const {
   return name == "dark" ? theme::Theme::Dark : name == "light" ? theme::Theme::Light : theme::Theme::System;
 }
 
-theme::Canvas MainWindow::kept_canvas() const {
-  return settings().value(canvas_key, "paper").toString() == "dark" ? theme::Canvas::Dark : theme::Canvas::Paper;
+theme::CanvasChoice MainWindow::kept_canvas() const {
+  const QString name = settings().value(canvas_key, "theme").toString();
+  using theme::CanvasChoice;
+  return name == "dark" ? CanvasChoice::Dark : name == "paper" ? CanvasChoice::Paper : CanvasChoice::AsTheme;
 }
 
 void MainWindow::add_color_actions() {
@@ -313,9 +317,11 @@ void MainWindow::add_color_actions() {
         [this, theme = theme] { return kept_theme() == theme; });
   }
   for (const auto& [canvas, name, words] :
-       {std::tuple{theme::Canvas::Paper, "paper", "&White paper"}, {theme::Canvas::Dark, "dark", "&Dark canvas"}}) {
+       {std::tuple{theme::CanvasChoice::AsTheme, "theme", "As the &theme"},
+        {theme::CanvasChoice::Paper, "paper", "&White paper"},
+        {theme::CanvasChoice::Dark, "dark", "&Dark canvas"}}) {
     add(
-        canvas_key, name, words, "&Canvas", [this, canvas = canvas] { set_canvas(canvas); },
+        canvas_key, name, words, "&Canvas", [this] { show_canvas(); },
         [this, canvas = canvas] { return kept_canvas() == canvas; });
   }
 }

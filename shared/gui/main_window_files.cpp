@@ -75,8 +75,9 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
     return base::Error{base::ErrorCode::CannotDraw,
                        text("there is no picture yet; run the scenario first").toStdString()};
   }
-  const scene::Picture shown = documents::picture_of(*session_.outcome(), shown_);
-  return render::write_picture(scenario::titled(layers_->chosen(shown), session_.document()), file);
+  scene::Picture shown = picture_shown();
+  view_->exaggerate(shown);
+  return render::write_picture(scenario::titled(layers_->chosen(std::move(shown)), session_.document()), file);
 }
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {

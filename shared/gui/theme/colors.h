@@ -10,6 +10,7 @@ namespace dobra::gui::theme {
 
 enum class Theme { System, Light, Dark };
 enum class Canvas { Paper, Dark };
+enum class CanvasChoice { AsTheme, Paper, Dark };
 
 /// Of all widgets. System: those that Qt has found on the desktop, with quiet words that can be read.
 /// @pre a QApplication exists.
@@ -19,6 +20,12 @@ void apply(Theme theme);
 QPalette palette_of(Theme theme);
 
 inline bool is_dark(const QPalette& palette) { return palette.color(QPalette::Base).lightness() < 128; }
+
+/// What a choice comes to beside widgets of a palette.
+inline Canvas canvas_of(CanvasChoice choice, const QPalette& palette) {
+  if (choice == CanvasChoice::AsTheme) return is_dark(palette) ? Canvas::Dark : Canvas::Paper;
+  return choice == CanvasChoice::Dark ? Canvas::Dark : Canvas::Paper;
+}
 
 /// Words on the background of a form.
 inline QColor wrong_text(const QPalette& palette) {

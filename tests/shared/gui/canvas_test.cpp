@@ -189,7 +189,7 @@ TEST_F(CanvasTest, EveryToolHasAnActionWithAKeyAndAnIcon) {
     EXPECT_FALSE(action->icon().isNull()) << action->text().toStdString();
     EXPECT_TRUE(keys.insert(action->shortcut().toString()).second) << action->text().toStdString();
   }
-  EXPECT_EQ(tools, 16);
+  EXPECT_EQ(tools, 18);
 }
 
 TEST_F(CanvasTest, TheFirstLineIsDrawnInAnEmptyWindow) {

@@ -89,7 +89,8 @@ class ThemeTest : public test::WindowFixture {
  protected:
   ~ThemeTest() override {
     window.actions().trigger("theme.system");
-    window.actions().trigger("canvas.paper");
+    window.actions().trigger("canvas.theme");
+    QCoreApplication::processEvents();
   }
   QImage view() {
     QCoreApplication::processEvents();
