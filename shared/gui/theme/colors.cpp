@@ -1,8 +1,10 @@
 #include "shared/gui/theme/colors.h"
 
 #include <QApplication>
-#include <QStyle>
+#include <QPainter>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 namespace dobra::gui::theme {
 
@@ -60,6 +62,24 @@ QPalette made(bool dark) {
   return palette;
 }
 
+/// Fusion, whose boxes to tick are as dark as what is round them on dark palettes.
+class Style : public QProxyStyle {
+ public:
+  Style() : QProxyStyle("fusion") {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
+    if (!is_dark(option->palette)) return;
+    painter->save();
+    painter->setPen(option->palette.color(QPalette::PlaceholderText));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->restore();
+  }
+};
+
 }  // namespace
 
 QPalette with_quiet_words(QPalette palette) {
@@ -75,10 +95,13 @@ QPalette palette_of(Theme theme) {
 }
 
 void apply(Theme theme) {
-  // Styles of desktops draw with colours of their own; Fusion draws with those of the palette.
-  const QString style = theme == Theme::System ? desktop().style : QString("fusion");
-  if (QApplication::style()->objectName() != style && QStyleFactory::keys().contains(style, Qt::CaseInsensitive))
-    QApplication::setStyle(style);
+  // Styles of desktops draw with colours of their own; ours draws with those of the palette.
+  const QString name = desktop().style;
+  const bool of_desktop = theme == Theme::System && name.compare("fusion", Qt::CaseInsensitive) != 0 &&
+                          QStyleFactory::keys().contains(name, Qt::CaseInsensitive);
+  const bool was_ours = dynamic_cast<Style*>(QApplication::style()) != nullptr;
+  if (of_desktop && was_ours) QApplication::setStyle(name);
+  if (!of_desktop && !was_ours) QApplication::setStyle(new Style);
   QApplication::setPalette(palette_of(theme));
 }
 

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
 #include <cmath>
 
 #include "shared/gui/theme/colors.h"
@@ -128,6 +132,92 @@ TEST_F(ThemeTest, AFormThatIsBeingFilledInTakesTheNewColours) {
     const QPalette shown = editor(key)->palette();
     EXPECT_GE(contrast_of(shown.color(QPalette::Text), shown.color(QPalette::Base)), 4.5) << key;
     EXPECT_TRUE(theme::is_dark(shown)) << key;
+  }
+}
+
+/// Of the widgets that show words, those whose lightest and darkest pixels are not 4.5 apart.
+QStringList unreadable(MainWindow& window) {
+  QStringList found;
+  const QImage image = window.grab().toImage();
+  for (const QWidget* each : window.findChildren<QWidget*>()) {
+    QString words;
+    if (const auto* label = qobject_cast<const QLabel*>(each)) words = label->text();
+    if (const auto* line = qobject_cast<const QLineEdit*>(each))
+      words = line->text().isEmpty() ? line->placeholderText() : line->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(each)) {
+      const auto* tool = qobject_cast<const QToolButton*>(each);
+      if (tool == nullptr || tool->toolButtonStyle() != Qt::ToolButtonIconOnly) words = button->text();
+    }
+    if (const auto* box = qobject_cast<const QComboBox*>(each)) words = box->currentText();
+    const QRect seen = each->visibleRegion().boundingRect();
+    if (!each->isVisible() || words.trimmed().isEmpty() || seen.height() < 10 || seen.width() < 20) continue;
+    double low = 1.0;
+    double high = 0.0;
+    const QPoint corner = each->mapTo(&window, seen.topLeft());
+    for (int x = 2; x < seen.width() - 2; ++x) {
+      for (int y = 2; y < seen.height() - 2; ++y) {
+        const double l = luminance_of(image.pixelColor(corner + QPoint(x, y)));
+        low = std::min(low, l);
+        high = std::max(high, l);
+      }
+    }
+    if ((high + 0.05) / (low + 0.05) < 4.5)
+      found << each->metaObject()->className() + QString(" '") + words + "' " +
+                   QString::number((high + 0.05) / (low + 0.05));
+  }
+  return found;
+}
+
+TEST_F(ThemeTest, EveryWordOnTheScreenIsReadableAlsoWhatIsWrong) {
+  open_waves();
+  for (const char* theme : {"theme.light", "theme.dark", "theme.system"}) {
+    ASSERT_TRUE(window.actions().trigger(theme));
+    QTest::qWait(50);
+    window.select(1);
+    write("count", "999");
+    press(Qt::Key_Tab);
+    settle();
+    QTest::qWait(50);
+    EXPECT_EQ(unreadable(window), QStringList()) << theme;
+    window.error_bar().say("the wave crosses itself; move it", ErrorBar::CanShow::Yes);
+    QTest::qWait(50);
+    EXPECT_EQ(unreadable(window), QStringList()) << theme << " with an error";
+    write("count", "4");
+    press(Qt::Key_Tab);
+    settle();
+  }
+}
+
+TEST_F(ThemeTest, TheCanvasGoesWithTheThemeUntilAnotherIsChosen) {
+  open_waves();
+  ASSERT_TRUE(window.actions().trigger("canvas.theme"));
+  ASSERT_TRUE(window.actions().trigger("theme.dark"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return view().pixelColor(3, 3) == paper_of(theme::canvas_colors(theme::Canvas::Dark)); }, 2000));
+  ASSERT_TRUE(window.actions().trigger("canvas.paper"));
+  EXPECT_EQ(view().pixelColor(3, 3), QColor(Qt::white));
+  ASSERT_TRUE(window.actions().trigger("theme.light"));
+  ASSERT_TRUE(window.actions().trigger("canvas.dark"));
+  QTest::qWait(20);
+  EXPECT_EQ(view().pixelColor(3, 3), paper_of(theme::canvas_colors(theme::Canvas::Dark)));
+  ASSERT_TRUE(window.actions().trigger("canvas.theme"));
+  EXPECT_EQ(view().pixelColor(3, 3), QColor(Qt::white));
+}
+
+/// What is not ticked is a box, not nothing.
+TEST_F(ThemeTest, BoxesToTickAreSeen) {
+  open_waves();
+  ASSERT_TRUE(window.actions().trigger("theme.dark"));
+  QTest::qWait(50);
+  auto* box = window.findChild<QCheckBox*>();
+  ASSERT_NE(box, nullptr);
+  for (const bool on : {true, false}) {
+    box->setChecked(on);
+    const QImage image = box->grab().toImage();
+    double lightest = 0.0;
+    for (int x = 0; x < 10; ++x) lightest = std::max(lightest, luminance_of(image.pixelColor(x, 2 + image.height() / 2)));
+    const QColor back = box->palette().color(QPalette::Window);
+    EXPECT_GE((lightest + 0.05) / (luminance_of(back) + 0.05), 3.0) << on;
   }
 }
 
