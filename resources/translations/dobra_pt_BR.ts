@@ -3914,6 +3914,36 @@
     <message>
         <source>Delete</source>
         <translation>Excluir</translation>
+        <source>row %1: '%2' is not a number</source>
+        <translation>linha %1: '%2' não é um número</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 numbers; copy two columns, x and z</source>
+        <translation>a linha %1 tem %2 números; copie duas colunas, x e z</translation>
+    </message>
+    <message>
+        <source>there are no rows of two numbers to paste</source>
+        <translation>não há linhas de dois números para colar</translation>
+    </message>
+    <message>
+        <source>'%1' is not a number</source>
+        <translation>'%1' não é um número</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Inserir</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Colar</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -4134,6 +4164,60 @@
         <translation>Tela es&amp;cura</translation>
         <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
         <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
+        <source>Delete</source>
+        <translation>Apagar</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 linhas</translation>
+    </message>
+    <message>
+        <source>No line is selected</source>
+        <translation>Nenhuma linha está selecionada</translation>
+    </message>
+    <message>
+        <source>Select the rows that are to go.</source>
+        <translation>Selecione as linhas que devem sair.</translation>
+    </message>
+    <message>
+        <source>Paste vertices</source>
+        <translation>Colar vértices</translation>
+    </message>
+    <message>
+        <source>Point at it on the canvas</source>
+        <translation>Apontar no desenho</translation>
+    </message>
+    <message>
+        <source>Has no effect without '%1'.</source>
+        <translation>Não tem efeito sem '%1'.</translation>
+    </message>
+    <message>
+        <source>Has no effect with '%1': %2.</source>
+        <translation>Não tem efeito com '%1': %2.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sim</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>não</translation>
+    </message>
+    <message>
+        <source>Click the line for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique na linha para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>Click the place for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique no lugar para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>This is nothing for '%1': click another line, or press Escape.</source>
+        <translation>Isto não serve para '%1': clique em outra linha ou tecle Escape.</translation>
+    </message>
+    <message>
+        <source>(at %1, %2)</source>
+        <translation>(em %1, %2)</translation>
     </message>
 </context>
 </TS>

@@ -82,7 +82,17 @@ struct LookedAt {
 /// Select is to be taken up again.
 struct PutAway {};
 
-using Change = std::variant<Drawn, Edited, Dropped, Told, Asked, LookedAt, PutAway>;
+/// A place that something outside the canvas has asked for.
+struct Pointed {
+  geom::Point at;                                  ///< With the snap.
+  geom::Point under;                               ///< Under the cursor, without it.
+  std::optional<scene::Pick> line = std::nullopt;  ///< That lies there.
+};
+
+/// What was asked for is not wanted any more.
+struct NotPointed {};
+
+using Change = std::variant<Drawn, Edited, Dropped, Told, Asked, LookedAt, PutAway, Pointed, NotPointed>;
 
 class Tool {
  public:
@@ -133,6 +143,10 @@ std::unique_ptr<Tool> make_measure_tool();
 
 std::unique_ptr<Tool> make_hand_tool();
 std::unique_ptr<Tool> make_zoom_tool();
+
+/// Waits for one click, snaps on the way, and says Pointed, or NotPointed at Escape.
+/// @param hint  what is to be clicked, translated.
+std::unique_ptr<Tool> make_point_tool(std::string hint);
 
 enum class LineWork { InsertVertex, Split, Join, Extend, Trim };
 std::unique_ptr<Tool> make_line_tool(LineWork work);

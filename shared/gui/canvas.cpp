@@ -15,6 +15,7 @@
 #include "shared/canvas/selecting.h"
 #include "shared/gui/documents/line_entries.h"
 #include "shared/gui/documents/shown.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
@@ -165,18 +166,36 @@ Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
 Canvas::~Canvas() = default;
 
 void Canvas::take_up(std::unique_ptr<canvas::Tool> tool) {
+  if (waiting_) tool_ = std::exchange(waiting_, nullptr);
   if (!work_.empty()) tool_->put_down(work_);
   carry_out();
   if (previewed_) session_.run();
   previewed_ = false;
-  tool_ = std::move(tool);
   pointer_.reset();
   entry_->hide();
+  take_in_hand(std::move(tool));
+}
+
+void Canvas::take_in_hand(std::unique_ptr<canvas::Tool> tool) {
+  tool_ = std::move(tool);
   forget_hover();
   view_.set_hand(tool_->cursor() == canvas::Cursor::Hand);
   view_.set_tool_cursor(cursor_of(tool_->cursor()));
   said_.clear();
   show_hint();
+}
+
+void Canvas::ask_for_place(const QString& hint, Answer answer) {
+  if (!waiting_) waiting_ = std::exchange(tool_, nullptr);
+  answer_ = std::move(answer);
+  take_in_hand(canvas::make_point_tool(hint.toStdString()));
+  view_.setFocus();
+}
+
+void Canvas::hear(const canvas::Pointed& pointed) {
+  const QString refused = answer_ ? answer_(pointed) : QString();
+  if (!refused.isEmpty()) return say(refused);
+  if (waiting_) take_in_hand(std::exchange(waiting_, nullptr));
 }
 
 bool Canvas::take_back() {
@@ -194,6 +213,10 @@ void Canvas::say(const QString& message) {
 void Canvas::show_hint() {
   emit told(said_.isEmpty() ? text_of(tool_->hint()) : said_);
   if (std::exchange(was_unfinished_, unfinished()) != unfinished()) emit unfinished_changed();
+  if (told_selection_ != work_.selection) {
+    told_selection_ = work_.selection;
+    emit lines_changed();
+  }
   sheet_->update();
 }
 
@@ -232,6 +255,15 @@ void Canvas::use_panel(std::size_t panel) {
     work_.set_editable(std::nullopt);
   }
   use_unit();
+  told_selection_ = work_.selection;
+  emit lines_changed();
+  sheet_->update();
+}
+
+void Canvas::select(canvas::Selection selection) {
+  std::erase_if(selection, [&](const auto& line) { return work_.empty() || work_.line(line.first) == nullptr; });
+  work_.selection = std::move(selection);
+  told_selection_ = work_.selection;
   sheet_->update();
 }
 
@@ -541,6 +573,8 @@ void Canvas::carry_out(const std::vector<canvas::Change>& changes) {
       else
         view_.zoom(wanted->factor, view_.pixel_of(panel_, wanted->box.centre()));
     }
+    if (const auto* pointed = std::get_if<canvas::Pointed>(&change)) hear(*pointed);
+    if (std::holds_alternative<canvas::NotPointed>(change) && waiting_) take_in_hand(std::exchange(waiting_, nullptr));
     if (std::holds_alternative<canvas::Dropped>(change) && std::exchange(previewed_, false)) session_.run();
   }
 }
@@ -557,7 +591,7 @@ void Canvas::carry_out(const canvas::Edited& edited) {
   for (scene::LineEdit& line : lines) line.pick = documents::of_input(line.pick);
   base::Result<scenario::Document> document = edit(session_.document(), base_->run.states.front(), lines);
   if (!document) {
-    say(text_of(to_string(document.error())));
+    say(in_words(document.error()));
     return;
   }
   previewed_ = edited.stage == canvas::Stage::During;

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QObject>
 #include <QPointF>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -30,6 +31,13 @@ class Canvas : public QObject {
 
   /// What the mouse and the keys do from now on. What the tool before has drawn so far is finished.
   void take_up(std::unique_ptr<canvas::Tool> tool);
+  /// Lends the mouse to somebody else: the next click is told to `answer`, which says what is wrong with it, or takes
+  /// it (no words). After that, after Escape, and when another tool is taken up, the tool in hand is back.
+  /// @param hint  what is to be clicked.
+  using Answer = std::function<QString(const canvas::Pointed&)>;
+  void ask_for_place(const QString& hint, Answer answer);
+  [[nodiscard]] bool is_asking() const { return waiting_ != nullptr; }
+
   /// The last point of what is being drawn, or the gesture. @return false if nothing is unfinished.
   bool take_back();
   [[nodiscard]] bool unfinished() const { return tool_->unfinished(); }
@@ -68,6 +76,9 @@ class Canvas : public QObject {
   /// The line under the cursor, with the place on it that is nearest.
   [[nodiscard]] const std::optional<canvas::Snap>& hovered() const { return hovered_; }
 
+  /// What is selected from now on; lines that are not there any more are left out.
+  void select(canvas::Selection selection);
+
   /// As if the tool in hand had made it.
   void carry_out(const canvas::Edited& edited);
 
@@ -83,6 +94,8 @@ class Canvas : public QObject {
   void rename_asked(const QString& table, const QString& name);
   /// Something is being drawn now, or is no more.
   void unfinished_changed();
+  /// Other lines are there now, or other ones are selected.
+  void lines_changed();
   /// What only the user can decide.
   void asked(const dobra::canvas::Asked& what);
   /// Something was drawn that the user must say what it is.
@@ -109,18 +122,23 @@ class Canvas : public QObject {
   void show_menu(QPoint global);
   void carry_out(view::LineCommand command, const canvas::Snap& on);
   void work_on(canvas::LineWork work, const canvas::Snap& on);
+  void take_in_hand(std::unique_ptr<canvas::Tool> tool);
+  void hear(const canvas::Pointed& pointed);
 
   Session& session_;
   VtkWidget& view_;
   Sheet* sheet_ = nullptr;
   QLineEdit* entry_ = nullptr;
   std::unique_ptr<canvas::Tool> tool_;
+  std::unique_ptr<canvas::Tool> waiting_;  ///< The tool in hand before somebody asked for a place.
+  Answer answer_;
   canvas::Workspace work_;
   documents::OutcomePtr base_;                     ///< Of the document that is edited; not of an edit under way.
   std::shared_ptr<const scene::Picture> picture_;  ///< What is shown of it.
   QString said_;                                   ///< Stands in the place of the hint.
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
+  canvas::Selection told_selection_;
   std::optional<canvas::Pointer> pointer_;
   std::optional<canvas::Snap> hovered_;
   bool snapping_ = true;

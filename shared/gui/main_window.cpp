@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QScreen>
 #include <QSettings>
 #include <QTimer>
@@ -28,6 +29,8 @@
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
+#include "shared/gui/vertices/pointing.h"
+#include "shared/gui/vertices/vertex_panel.h"
 #include "shared/gui/view/exaggeration_box.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
@@ -133,6 +136,10 @@ void MainWindow::make_docks() {
   QDockWidget* form = dock(*this, text("Parameters"), "dock.form", form_, Qt::LeftDockWidgetArea);
   QDockWidget* layers = dock(*this, text("Layers"), "dock.layers", layers_, Qt::RightDockWidgetArea);
   QDockWidget* results = dock(*this, text("Results"), "dock.results", results_, Qt::RightDockWidgetArea);
+  vertices_ = new vertices::VertexPanel(this);
+  QDockWidget* vertices = dock(*this, text("Vertices"), "dock.vertices", vertices_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(results, vertices);
+  results->raise();
   resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
   resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
   resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
@@ -141,6 +148,7 @@ void MainWindow::make_docks() {
     addDockWidget(Qt::LeftDockWidgetArea, results);
     tabifyDockWidget(form, layers);
     tabifyDockWidget(layers, results);
+    tabifyDockWidget(results, vertices);
     form->raise();
     resizeDocks({steps}, {260}, Qt::Horizontal);
     resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
@@ -168,6 +176,19 @@ void MainWindow::make_docks() {
                   text("Exchange steps %1 and %2").arg(step).arg(step + 1));
     steps_->select(selected);
   });
+  form_->canvas_answers();
+  connect(form_, &ParameterForm::pointing_asked, this, [this](FieldEditor* editor, const scenario::Field& field) {
+    const vertices::Pointing wish{field, form_part_, shown_};
+    canvas_->ask_for_place(
+        vertices::hint_of(wish), [this, wish, at = QPointer(editor)](const canvas::Pointed& pointed) {
+          const base::Result<QString> value =
+              vertices::pointed_text(wish, pointed, session_.document(), program_, session_.outcome().get());
+          if (!value) return QString::fromStdString(value.error().message);
+          if (at != nullptr && wish.of_name()) at->take_name(*value);
+          if (at != nullptr && !wish.of_name()) at->type(*value);
+          return QString();
+        });
+  });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
     scenario::Document edited = documents::with_table(session_.document(), form_part_, table);
     const documents::OutcomePtr& outcome = session_.outcome();
@@ -175,6 +196,12 @@ void MainWindow::make_docks() {
       edited = program_.drawing.settle(session_.document(), std::move(edited), outcome->run.states.front());
     session_.edit(std::move(edited), text("Change '%1'").arg(key));
   });
+  connect(canvas_, &Canvas::lines_changed, this, [this] {
+    vertices_->show(canvas_->workspace(), QString::fromStdString(session_.document().shown_units().length_unit()));
+  });
+  connect(vertices_, &vertices::VertexPanel::selected, canvas_, &Canvas::select);
+  connect(vertices_, &vertices::VertexPanel::edited, canvas_, qOverload<const canvas::Edited&>(&Canvas::carry_out));
+  connect(vertices_, &vertices::VertexPanel::told, canvas_, &Canvas::say);
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
   connect(layers_, &LayerTree::visibility_changed, this,
           [this](const std::string&, const std::string& layer, bool visible) {
@@ -373,8 +400,8 @@ void MainWindow::show_error(const base::Error& error) {
   const documents::OutcomePtr& outcome = session_.outcome();
   const bool of_run = outcome && outcome->run.error && outcome->run.error->message == error.message;
   const bool has_place = error.place && error.place->x && error.place->y;
-  const QString said = of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step)
-                              : QString::fromStdString(base::to_string(error));
+  const QString said =
+      of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step) : in_words(error);
   error_bar_->say(said, of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
 }
 

@@ -35,6 +35,9 @@ class VtkWidget;
 namespace view {
 class ExaggerationBox;
 }
+namespace vertices {
+class VertexPanel;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -73,6 +76,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
+  [[nodiscard]] vertices::VertexPanel& vertices() { return *vertices_; }
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
@@ -170,6 +174,7 @@ class MainWindow : public QMainWindow {
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
+  vertices::VertexPanel* vertices_ = nullptr;
   StatusLine* status_ = nullptr;
   view::Settings look_;
   view::ExaggerationBox* exaggeration_ = nullptr;
