@@ -4219,5 +4219,125 @@
         <source>(at %1, %2)</source>
         <translation>(em %1, %2)</translation>
     </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Boas-vindas</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Começar</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Novo</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Novo</translation>
+    </message>
+    <message>
+        <source>An empty document</source>
+        <translation>Um documento vazio</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Abrir...</translation>
+    </message>
+    <message>
+        <source>A scenario file</source>
+        <translation>Um arquivo de cenário</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Arquivos recentes</translation>
+    </message>
+    <message>
+        <source>Examples, opened as copies</source>
+        <translation>Exemplos, abertos como cópias</translation>
+    </message>
+    <message>
+        <source>Missing from %1</source>
+        <translation>Não está mais em %1</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Redefinir a disposição</translation>
+    </message>
+    <message>
+        <source>Panels, bars and size of the window as at the first start</source>
+        <translation>Painéis, barras e tamanho da janela como no primeiro início</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome page</source>
+        <translation>Página de &amp;boas-vindas</translation>
+    </message>
+    <message>
+        <source>Examples and recent files</source>
+        <translation>Exemplos e arquivos recentes</translation>
+    </message>
+    <message>
+        <source>Fold train</source>
+        <translation>Trem de dobras</translation>
+    </message>
+    <message>
+        <source>Five horizons restored to a datum by constant thickness.</source>
+        <translation>Cinco horizontes restaurados a um datum com espessura constante.</translation>
+    </message>
+    <message>
+        <source>Flattened and folded again</source>
+        <translation>Aplainado e dobrado de novo</translation>
+    </message>
+    <message>
+        <source>A chain of two restorations, there and back.</source>
+        <translation>Uma cadeia de duas restaurações, ida e volta.</translation>
+    </message>
+    <message>
+        <source>Two listric faults</source>
+        <translation>Duas falhas lístricas</translation>
+    </message>
+    <message>
+        <source>Normal faults undone by vertical shear, the younger first.</source>
+        <translation>Falhas normais desfeitas por cisalhamento vertical, a mais nova primeiro.</translation>
+    </message>
+    <message>
+        <source>Thrust with a ramp</source>
+        <translation>Empurrão com rampa</translation>
+    </message>
+    <message>
+        <source>A fault-bend fold moved back along its thrust.</source>
+        <translation>Uma dobra de flexão de falha movida de volta ao longo do empurrão.</translation>
+    </message>
+    <message>
+        <source>Cosine fold</source>
+        <translation>Dobra cosseno</translation>
+    </message>
+    <message>
+        <source>Offset curves of a fold, flattened.</source>
+        <translation>Curvas paralelas de uma dobra, aplainadas.</translation>
+    </message>
+    <message>
+        <source>Plate with a hole</source>
+        <translation>Placa com furo</translation>
+    </message>
+    <message>
+        <source>A quarter of it, meshed with and without offset curves.</source>
+        <translation>Um quarto dela, com malha com e sem curvas paralelas.</translation>
+    </message>
+    <message>
+        <source>Branched crack</source>
+        <translation>Trinca ramificada</translation>
+    </message>
+    <message>
+        <source>A crack through two materials, with small elements at its tips.</source>
+        <translation>Uma trinca em dois materiais, com elementos pequenos nas pontas.</translation>
+    </message>
+    <message>
+        <source>Edge crack in tension</source>
+        <translation>Trinca de borda em tração</translation>
+    </message>
+    <message>
+        <source>Mesh, analysis and stress intensity factors.</source>
+        <translation>Malha, análise e fatores de intensidade de tensão.</translation>
+    </message>
 </context>
 </TS>

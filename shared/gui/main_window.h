@@ -13,6 +13,7 @@
 #include "shared/gui/step_list.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/view/settings.h"
+#include "shared/gui/welcome/examples.h"
 
 class QDockWidget;
 class QLabel;
@@ -38,6 +39,9 @@ class ExaggerationBox;
 namespace vertices {
 class VertexPanel;
 }
+namespace welcome {
+class Page;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -45,11 +49,23 @@ class MainWindow : public QMainWindow {
  public:
   /// @param about  what the program is for, one sentence in English source text.
   /// @pre `program` outlives the window.
-  explicit MainWindow(const scenario::Program& program, std::string about = {});
+  explicit MainWindow(const scenario::Program& program, std::string about = {},
+                      std::vector<welcome::Example> examples = {});
   ~MainWindow() override;
 
   /// Opens without asking about unsaved changes; what went wrong is also said in the error bar.
   base::Result<void> open(const std::filesystem::path& file);
+  /// One of the program's examples, as a document without a file; its input files stay in the user's folder of
+  /// examples, where the document finds them wherever it is saved.
+  base::Result<void> open_example(const std::string& file);
+  /// An empty document, without asking about unsaved changes.
+  void begin_new();
+  /// Shows how to begin, instead of the picture, until something is begun.
+  void welcome();
+  /// Panels, bars and size as the last window left them; this one will leave its own when it is closed.
+  void restore_layout();
+  /// Panels, bars and size as at the first start.
+  void reset_layout();
   base::Result<void> save(const std::filesystem::path& file);
   /// SVG, PDF and PNG with cairo, by the ending; layers as they are shown.
   base::Result<void> save_picture(const std::filesystem::path& file);
@@ -88,6 +104,8 @@ class MainWindow : public QMainWindow {
  private:
   void make_center();
   void make_docks();
+  /// Where panels are at first.
+  void place_docks();
   void make_actions();
   void add_file_actions();
   void add_edit_actions();
@@ -143,6 +161,8 @@ class MainWindow : public QMainWindow {
   bool may_discard();
   void about();
 
+  void leave_welcome();
+  void show_other_document();
   /// An empty sheet to draw on.
   void show_nothing();
   void show_document();
@@ -161,6 +181,7 @@ class MainWindow : public QMainWindow {
 
   const scenario::Program& program_;
   std::string about_;
+  std::vector<welcome::Example> examples_;
   Session session_;
   Player player_;
   actions::Registry actions_;
@@ -170,6 +191,8 @@ class MainWindow : public QMainWindow {
   DrawBar* draw_bar_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
   ErrorBar* error_bar_ = nullptr;
+  welcome::Page* welcome_ = nullptr;
+  bool keeps_layout_ = false;
   StepList* steps_ = nullptr;
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;

@@ -72,12 +72,24 @@ void MainWindow::make_actions() {
   if (can_watch()) add_bar(text("Watch"), watch_bar);
   steps_->use(*actions_.menu("&Edit/Add &step"), *actions_.find("step.remove"), *actions_.find("step.up"),
               *actions_.find("step.down"));
+  // Whoever draws wants the sheet.
+  for (const actions::Registry::Entry& entry : actions_.all()) {
+    if (entry.action.id.starts_with("draw.")) connect(entry.made, &QAction::triggered, this, &MainWindow::leave_welcome);
+  }
   palette_ = new actions::Palette(*this);
   actions_.refresh();
 }
 
 void MainWindow::add_file_actions() {
   const std::string menu = "&File";
+  actions_.add({.id = "file.new",
+                .text = "&New",
+                .menu = menu,
+                .section = "open",
+                .keys = {QKeySequence::New},
+                .run = [this] {
+                  if (may_discard()) begin_new();
+                }});
   actions_.add({.id = "file.open",
                 .text = "&Open...",
                 .menu = menu,
@@ -281,6 +293,12 @@ void MainWindow::add_view_actions() {
   add(documents::Shown::Both, "Input and result", Qt::Key_3, Symbol::ShowBoth);
   add_color_actions();
   for (QDockWidget* each : findChildren<QDockWidget*>()) add_panel_action(*each);
+  actions_.add({.id = "view.reset_layout",
+                .text = "&Reset layout",
+                .help = "Panels, bars and size of the window as at the first start",
+                .menu = menu,
+                .section = "panels",
+                .run = [this] { reset_layout(); }});
 }
 
 theme::Theme MainWindow::kept_theme() const {
@@ -413,6 +431,12 @@ void MainWindow::add_help_actions() {
                 .run = [this] { palette_->open(choices()); }});
   actions_.add(
       {.id = "help.keys", .text = "&Keys...", .menu = menu, .section = "find", .run = [this] { show_keys(); }});
+  actions_.add({.id = "help.welcome",
+                .text = "&Welcome page",
+                .help = "Examples and recent files",
+                .menu = menu,
+                .section = "find",
+                .run = [this] { welcome(); }});
   actions_.add({.id = "help.about",
                 .text = "&About %1",
                 .menu = menu,

@@ -31,6 +31,8 @@ class Session : public QObject {
   /// Replaces document and history by what a file holds, and runs it. Nothing changes on an error.
   /// @error those of scenario::read_document; WrongProgram.
   base::Result<void> open(const std::filesystem::path& file);
+  /// Replaces document and history by a document without a file, and runs it if there is something to run.
+  void begin(scenario::Document document);
   /// Writes the document; from then on it lives at `file`.
   /// @error CannotWrite
   base::Result<void> save(const std::filesystem::path& file);

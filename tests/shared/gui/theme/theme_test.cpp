@@ -126,7 +126,8 @@ TEST_F(ThemeTest, AFormThatIsBeingFilledInTakesTheNewColours) {
   open_waves();
   write("count", "7");
   ASSERT_TRUE(window.actions().trigger("theme.dark"));
-  QTest::qWait(50);
+  // The form is made anew behind the change of the palette.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return theme::is_dark(editor("note")->palette()); }, 5000));
   EXPECT_EQ(*window.session().document().steps[0].params.find("count"), scenario::Value(std::int64_t{7}));
   for (const char* key : {"count", "note"}) {
     const QPalette shown = editor(key)->palette();
