@@ -28,6 +28,9 @@ QCommandLinkButton* button(const QString& title, const QString& line, const QStr
   made->setObjectName(name);
   made->setAccessibleName(title);
   made->setAccessibleDescription(line);
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // words wrap rather than make the page wider
+  policy.setHeightForWidth(true);
+  made->setSizePolicy(policy);
   return made;
 }
 
@@ -103,6 +106,13 @@ void Page::show_recent(const QStringList& files) {
 }
 
 void Page::take_focus() { first_->setFocus(Qt::OtherFocusReason); }
+
+/// Escape is the page's own while it has the focus, whatever else waits for it.
+bool Page::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+    event->accept();
+  return QScrollArea::event(event);
+}
 
 void Page::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) return emit left();

@@ -33,6 +33,7 @@ class Page : public QScrollArea {
   void left();
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
