@@ -4088,7 +4088,7 @@
         <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
     </message>
     <message>
-        <source>Copy step as scenario te&amp;xt</source>
+        <source>Cop&amp;y step as scenario text</source>
         <translation>Copiar a etapa como te&amp;xto de cenário</translation>
     </message>
     <message>

@@ -58,7 +58,9 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about, std:
     : program_(program),
       about_(std::move(about)),
       examples_(std::move(examples)),
-      session_(program), player_(session_), actions_(*this) {
+      session_(program),
+      player_(session_),
+      actions_(*this) {
   theme::apply(kept_theme());
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
@@ -83,8 +85,8 @@ void MainWindow::make_center() {
   view_ = new VtkWidget(center);
   column->addWidget(error_bar_);
   column->addWidget(view_, 1);
-  welcome_ = new welcome::Page(QString::fromStdString(program_.title), about_.empty() ? QString() : text(about_.c_str()),
-                               examples_, center);
+  welcome_ = new welcome::Page(QString::fromStdString(program_.title),
+                               about_.empty() ? QString() : text(about_.c_str()), examples_, center);
   welcome_->hide();
   column->addWidget(welcome_, 1);
   setCentralWidget(center);

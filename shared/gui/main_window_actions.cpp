@@ -74,7 +74,8 @@ void MainWindow::make_actions() {
               *actions_.find("step.down"));
   // Whoever draws wants the sheet.
   for (const actions::Registry::Entry& entry : actions_.all()) {
-    if (entry.action.id.starts_with("draw.")) connect(entry.made, &QAction::triggered, this, &MainWindow::leave_welcome);
+    if (entry.action.id.starts_with("draw."))
+      connect(entry.made, &QAction::triggered, this, &MainWindow::leave_welcome);
   }
   palette_ = new actions::Palette(*this);
   actions_.refresh();
@@ -82,14 +83,10 @@ void MainWindow::make_actions() {
 
 void MainWindow::add_file_actions() {
   const std::string menu = "&File";
-  actions_.add({.id = "file.new",
-                .text = "&New",
-                .menu = menu,
-                .section = "open",
-                .keys = {QKeySequence::New},
-                .run = [this] {
-                  if (may_discard()) begin_new();
-                }});
+  actions_.add(
+      {.id = "file.new", .text = "&New", .menu = menu, .section = "open", .keys = {QKeySequence::New}, .run = [this] {
+         if (may_discard()) begin_new();
+       }});
   actions_.add({.id = "file.open",
                 .text = "&Open...",
                 .menu = menu,
@@ -176,7 +173,7 @@ void MainWindow::add_edit_actions() {
                   .run = [this, name = operation.name] { emit steps_->add_asked(name); }});
   }
   actions_.add({.id = "edit.copy_step",
-                .text = "Copy step as scenario te&xt",
+                .text = "Cop&y step as scenario text",
                 .help = "The selected step, or the input, as a scenario writes it, on the clipboard",
                 .menu = menu,
                 .section = "copy",
@@ -334,10 +331,9 @@ void MainWindow::add_color_actions() {
         theme_key, name, words, "&Theme", [this, theme = theme] { set_theme(theme); },
         [this, theme = theme] { return kept_theme() == theme; });
   }
-  for (const auto& [canvas, name, words] :
-       {std::tuple{theme::CanvasChoice::AsTheme, "theme", "As the &theme"},
-        {theme::CanvasChoice::Paper, "paper", "&White paper"},
-        {theme::CanvasChoice::Dark, "dark", "&Dark canvas"}}) {
+  for (const auto& [canvas, name, words] : {std::tuple{theme::CanvasChoice::AsTheme, "theme", "As the &theme"},
+                                            {theme::CanvasChoice::Paper, "paper", "&White paper"},
+                                            {theme::CanvasChoice::Dark, "dark", "&Dark canvas"}}) {
     add(
         canvas_key, name, words, "&Canvas", [this] { show_canvas(); },
         [this, canvas = canvas] { return kept_canvas() == canvas; });

@@ -105,7 +105,8 @@ void MainWindow::restore_layout() {
   const QRect room = screen()->availableGeometry();
   if (room.contains(frameGeometry())) return;
   resize(size().boundedTo(room.size()));
-  move(std::clamp(x(), room.left(), room.right() + 1 - width()), std::clamp(y(), room.top(), room.bottom() + 1 - height()));
+  move(std::clamp(x(), room.left(), room.right() + 1 - width()),
+       std::clamp(y(), room.top(), room.bottom() + 1 - height()));
 }
 
 void MainWindow::reset_layout() {

@@ -42,6 +42,7 @@ Page::Page(const QString& title, const QString& about, const std::vector<Example
   setAccessibleName(text("Welcome"));
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::NoFocus);
   auto* content = new QWidget(this);
   auto* rows = new QVBoxLayout(content);

@@ -216,7 +216,8 @@ TEST_F(ThemeTest, BoxesToTickAreSeen) {
     box->setChecked(on);
     const QImage image = box->grab().toImage();
     double lightest = 0.0;
-    for (int x = 0; x < 10; ++x) lightest = std::max(lightest, luminance_of(image.pixelColor(x, 2 + image.height() / 2)));
+    for (int x = 0; x < 10; ++x)
+      lightest = std::max(lightest, luminance_of(image.pixelColor(x, 2 + image.height() / 2)));
     const QColor back = box->palette().color(QPalette::Window);
     EXPECT_GE((lightest + 0.05) / (luminance_of(back) + 0.05), 3.0) << on;
   }
