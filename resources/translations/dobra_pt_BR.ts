@@ -4100,6 +4100,10 @@
         <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
     </message>
     <message>
+        <source>Cop&amp;y step as scenario text</source>
+        <translation>Copiar a etapa como te&amp;xto de cenário</translation>
+    </message>
+    <message>
         <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
         <translation>A etapa selecionada, ou a entrada, como um cenário a escreve, na área de transferência</translation>
     </message>
@@ -4138,6 +4142,38 @@
     <message>
         <source>Not all changes of the window are in the file: save it before you run this.</source>
         <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>T&amp;ela</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Como o &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Escuro</translation>
+    </message>
+    <message>
+        <source>As the &amp;theme</source>
+        <translation>Como o &amp;tema</translation>
+    </message>
+    <message>
+        <source>&amp;White paper</source>
+        <translation>Papel &amp;branco</translation>
+    </message>
+    <message>
+        <source>&amp;Dark canvas</source>
+        <translation>Tela es&amp;cura</translation>
     </message>
     <message>
         <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
@@ -4198,6 +4234,126 @@
     <message>
         <source>(at %1, %2)</source>
         <translation>(em %1, %2)</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Boas-vindas</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Começar</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Novo</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Novo</translation>
+    </message>
+    <message>
+        <source>An empty document</source>
+        <translation>Um documento vazio</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Abrir...</translation>
+    </message>
+    <message>
+        <source>A scenario file</source>
+        <translation>Um arquivo de cenário</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Arquivos recentes</translation>
+    </message>
+    <message>
+        <source>Examples, opened as copies</source>
+        <translation>Exemplos, abertos como cópias</translation>
+    </message>
+    <message>
+        <source>Missing from %1</source>
+        <translation>Não está mais em %1</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Redefinir a disposição</translation>
+    </message>
+    <message>
+        <source>Panels, bars and size of the window as at the first start</source>
+        <translation>Painéis, barras e tamanho da janela como no primeiro início</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome page</source>
+        <translation>Página de &amp;boas-vindas</translation>
+    </message>
+    <message>
+        <source>Examples and recent files</source>
+        <translation>Exemplos e arquivos recentes</translation>
+    </message>
+    <message>
+        <source>Fold train</source>
+        <translation>Trem de dobras</translation>
+    </message>
+    <message>
+        <source>Five horizons restored to a datum by constant thickness.</source>
+        <translation>Cinco horizontes restaurados a um datum com espessura constante.</translation>
+    </message>
+    <message>
+        <source>Flattened and folded again</source>
+        <translation>Aplainado e dobrado de novo</translation>
+    </message>
+    <message>
+        <source>A chain of two restorations, there and back.</source>
+        <translation>Uma cadeia de duas restaurações, ida e volta.</translation>
+    </message>
+    <message>
+        <source>Two listric faults</source>
+        <translation>Duas falhas lístricas</translation>
+    </message>
+    <message>
+        <source>Normal faults undone by vertical shear, the younger first.</source>
+        <translation>Falhas normais desfeitas por cisalhamento vertical, a mais nova primeiro.</translation>
+    </message>
+    <message>
+        <source>Thrust with a ramp</source>
+        <translation>Empurrão com rampa</translation>
+    </message>
+    <message>
+        <source>A fault-bend fold moved back along its thrust.</source>
+        <translation>Uma dobra de flexão de falha movida de volta ao longo do empurrão.</translation>
+    </message>
+    <message>
+        <source>Cosine fold</source>
+        <translation>Dobra cosseno</translation>
+    </message>
+    <message>
+        <source>Offset curves of a fold, flattened.</source>
+        <translation>Curvas paralelas de uma dobra, aplainadas.</translation>
+    </message>
+    <message>
+        <source>Plate with a hole</source>
+        <translation>Placa com furo</translation>
+    </message>
+    <message>
+        <source>A quarter of it, meshed with and without offset curves.</source>
+        <translation>Um quarto dela, com malha com e sem curvas paralelas.</translation>
+    </message>
+    <message>
+        <source>Branched crack</source>
+        <translation>Trinca ramificada</translation>
+    </message>
+    <message>
+        <source>A crack through two materials, with small elements at its tips.</source>
+        <translation>Uma trinca em dois materiais, com elementos pequenos nas pontas.</translation>
+    </message>
+    <message>
+        <source>Edge crack in tension</source>
+        <translation>Trinca de borda em tração</translation>
+    </message>
+    <message>
+        <source>Mesh, analysis and stress intensity factors.</source>
+        <translation>Malha, análise e fatores de intensidade de tensão.</translation>
     </message>
     <message>
         <source>the lines are to stand in this file, which is there already; save the scenario under another name</source>

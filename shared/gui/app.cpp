@@ -65,7 +65,8 @@ int run_window(const scenario::Program& program, const std::optional<std::filesy
   QApplication::setApplicationDisplayName({});
   install_translation(QString::fromStdString(options.language));
 
-  MainWindow window(program, options.about);
+  MainWindow window(program, options.about, options.examples);
+  if (!options.script) window.restore_layout();
   if (file) {
     const base::Result<void> opened = window.open(*file);
     if (!opened && options.script) {
@@ -73,6 +74,7 @@ int run_window(const scenario::Program& program, const std::optional<std::filesy
       return base::exit_code(opened.error().code);
     }
   }
+  if (!file && !options.script) window.welcome();
   window.show();
   // Once the event loop runs: the question needs the window behind it.
   if (!options.script) QTimer::singleShot(0, &window, &MainWindow::offer_recovery);

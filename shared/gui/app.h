@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "shared/gui/welcome/examples.h"
 #include "shared/scenario/program.h"
 
 namespace dobra::gui {
@@ -13,6 +15,7 @@ struct WindowOptions {
   std::optional<std::filesystem::path> script;  ///< Commands to execute in the window: see script.h.
   std::string language;                         ///< Such as "pt_BR"; that of the locale if empty.
   std::string about;                            ///< What the program is for, one sentence in English source text.
+  std::vector<welcome::Example> examples = {};  ///< Those that the welcome page offers.
 };
 
 /// Opens the window, with a document if `file` is given. A file that cannot be opened is reported in the window; with a

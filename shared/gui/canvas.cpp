@@ -29,11 +29,6 @@ namespace {
 constexpr double reach = 8.0;             ///< Pixels round the cursor.
 constexpr double handle_size = 7.0;       ///< Pixels.
 constexpr double selection_margin = 0.1;  ///< Round what is zoomed to.
-const QColor drawn_color = QColor::fromRgb(theme::drawn);
-const QColor chosen_color = QColor::fromRgb(theme::chosen);
-const QColor snap_color = QColor::fromRgb(theme::snapped);
-const QColor text_background = QColor::fromRgba(theme::paper_behind_words);
-const QColor text_color = QColor::fromRgb(theme::paper_words);
 
 /// A place without a snap, to a tenth of a pixel in round decimals: what a mouse can mean.
 double rounded(double value, double pixel) {
@@ -74,10 +69,10 @@ class Canvas::Sheet : public QWidget {
     painter.setClipRect(view_.plot(canvas_.panel_));
     draw_hovered(painter);
     const canvas::Overlay overlay = canvas_.tool_->overlay(canvas_.work_);
-    for (const geom::Polyline& line : overlay.chosen) draw(painter, line, QPen(chosen_color, 2.5));
-    for (const geom::Polyline& line : overlay.lines) draw(painter, line, QPen(drawn_color, 1.6, Qt::DashLine));
-    for (const geom::Point at : overlay.handles) handle(painter, at, Qt::white);
-    for (const geom::Point at : overlay.chosen_handles) handle(painter, at, chosen_color);
+    for (const geom::Polyline& line : overlay.chosen) draw(painter, line, QPen(view_.colors().chosen, 2.5));
+    for (const geom::Polyline& line : overlay.lines) draw(painter, line, QPen(view_.colors().drawn, 1.6, Qt::DashLine));
+    for (const geom::Point at : overlay.handles) handle(painter, at, view_.colors().handle);
+    for (const geom::Point at : overlay.chosen_handles) handle(painter, at, view_.colors().chosen);
     draw_snap(painter);
     for (const canvas::Overlay::Text& label : overlay.texts) write(painter, label.at, text_of(label.text), 16.0);
   }
@@ -87,7 +82,7 @@ class Canvas::Sheet : public QWidget {
   void draw_hovered(QPainter& painter) {
     if (canvas_.tool_->cursor() != canvas::Cursor::Arrow || !canvas_.hovered_ || !canvas_.hovered_->on) return;
     const geom::Polyline* line = canvas_.work_.line(*canvas_.hovered_->on);
-    QColor glow = chosen_color;
+    QColor glow = view_.colors().chosen;
     glow.setAlpha(90);
     if (line != nullptr) draw(painter, *line, QPen(glow, 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   }
@@ -104,7 +99,7 @@ class Canvas::Sheet : public QWidget {
   }
   void handle(QPainter& painter, geom::Point at, const QColor& fill) {
     const QPointF pixel = view_.pixel_of(canvas_.panel_, at);
-    painter.setPen(QPen(chosen_color, 1.2));
+    painter.setPen(QPen(view_.colors().chosen, 1.2));
     painter.setBrush(fill);
     painter.drawRect(QRectF(pixel.x() - handle_size / 2, pixel.y() - handle_size / 2, handle_size, handle_size));
   }
@@ -113,7 +108,7 @@ class Canvas::Sheet : public QWidget {
     if (!canvas_.pointer_ || !canvas_.pointer_->snap) return;
     const canvas::Snap& snap = *canvas_.pointer_->snap;
     const QPointF c = view_.pixel_of(canvas_.panel_, snap.at);
-    painter.setPen(QPen(snap_color, 1.8));
+    painter.setPen(QPen(view_.colors().snapped, 1.8));
     painter.setBrush(Qt::NoBrush);
     const double r = 6.0;
     switch (snap.kind) {
@@ -146,9 +141,9 @@ class Canvas::Sheet : public QWidget {
     box.moveBottom(std::min(box.bottom(), plot.bottom() - 4.0));
     box.moveTop(std::max(box.top(), plot.top() + 4.0));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(text_background);
+    painter.setBrush(view_.colors().behind_words);
     painter.drawRoundedRect(box.adjusted(-4, -2, 4, 2), 3, 3);
-    painter.setPen(text_color);
+    painter.setPen(view_.colors().words);
     painter.drawText(box, Qt::AlignLeft, words);
   }
 

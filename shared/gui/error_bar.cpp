@@ -1,5 +1,7 @@
 #include "shared/gui/error_bar.h"
 
+#include <QApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -12,7 +14,7 @@ namespace dobra::gui {
 
 ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), show_(new QToolButton(this)) {
   setObjectName("error_bar");
-  setStyleSheet(theme::error_bar);
+  setStyleSheet(theme::error_bar_style(QApplication::palette()));
   auto* sign = new QLabel(this);
   sign->setPixmap(theme::icon(theme::Symbol::Warning).pixmap(20, 20));
   words_->setWordWrap(true);
@@ -43,5 +45,12 @@ void ErrorBar::say(const QString& message, CanShow can_show) {
 }
 
 QString ErrorBar::message() const { return isHidden() ? QString() : words_->text(); }
+
+void ErrorBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  const QString style = theme::error_bar_style(QApplication::palette());
+  if (style != styleSheet()) setStyleSheet(style);
+}
 
 }  // namespace dobra::gui

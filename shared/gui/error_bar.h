@@ -27,6 +27,9 @@ class ErrorBar : public QFrame {
  signals:
   void show_asked();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QLabel* words_;
   QToolButton* show_;

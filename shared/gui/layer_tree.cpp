@@ -6,6 +6,7 @@
 #include "shared/gui/text.h"
 #include "shared/gui/theme/icons.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/ground.h"
 
 namespace dobra::gui {
 
@@ -15,8 +16,11 @@ constexpr int key_role = Qt::UserRole;
 
 QColor to_color(const scene::Color& color) { return {color.red, color.green, color.blue, color.alpha}; }
 
-QIcon swatch_of(const scene::Layer& layer) {
-  const QColor line = to_color(layer.style.line);
+/// Lines as they are seen on the background of the list.
+QIcon swatch_of(const scene::Layer& layer, const QColor& back) {
+  const auto part = [](int value) { return static_cast<std::uint8_t>(value); };
+  const scene::Ground ground{{part(back.red()), part(back.green()), part(back.blue())}};
+  const QColor line = to_color(scene::line_on(layer.style.line, ground));
   if (std::holds_alternative<scene::Labels>(layer.content)) return theme::letter_swatch(line);
   if (std::holds_alternative<scene::Lines>(layer.content) || std::holds_alternative<scene::Markers>(layer.content)) {
     return theme::swatch(line, line);
@@ -61,7 +65,7 @@ void LayerTree::show_picture(const scene::Picture& picture) {
       auto* leaf = new QTreeWidgetItem(branch, {title_of(layer.title, layer.key)});
       leaf->setData(0, key_role, QString::fromStdString(layer.key));
       leaf->setToolTip(0, QString::fromStdString(layer.key));
-      leaf->setIcon(0, swatch_of(layer));
+      leaf->setIcon(0, swatch_of(layer, palette().color(QPalette::Base)));
       leaf->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
       leaf->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
     }

@@ -11,6 +11,7 @@
 #include <QPointer>
 #include <QScreen>
 #include <QSettings>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
@@ -33,6 +34,7 @@
 #include "shared/gui/vertices/vertex_panel.h"
 #include "shared/gui/view/exaggeration_box.h"
 #include "shared/gui/vtk_widget.h"
+#include "shared/gui/welcome/page.h"
 #include "shared/render/cairo.h"
 
 namespace dobra::gui {
@@ -53,9 +55,14 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
 
 }  // namespace
 
-MainWindow::MainWindow(const scenario::Program& program, std::string about)
-    : program_(program), about_(std::move(about)), session_(program), player_(session_), actions_(*this) {
-  QApplication::setPalette(theme::with_quiet_words(QApplication::palette()));
+MainWindow::MainWindow(const scenario::Program& program, std::string about, std::vector<welcome::Example> examples)
+    : program_(program),
+      about_(std::move(about)),
+      examples_(std::move(examples)),
+      session_(program),
+      player_(session_),
+      actions_(*this) {
+  theme::apply(kept_theme());
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
   resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
@@ -80,6 +87,10 @@ void MainWindow::make_center() {
   column->addWidget(error_bar_);
   make_taken_in_bar(*column);
   column->addWidget(view_, 1);
+  welcome_ = new welcome::Page(QString::fromStdString(program_.title),
+                               about_.empty() ? QString() : text(about_.c_str()), examples_, center);
+  welcome_->hide();
+  column->addWidget(welcome_, 1);
   setCentralWidget(center);
   hint_ = new QLabel(program_.drawing.add ? text("Open a scenario (Ctrl+O), drop one here, or draw the first line (L).")
                                           : text("Open a scenario (Ctrl+O), or drop one here."),
@@ -88,9 +99,20 @@ void MainWindow::make_center() {
   hint_->setWordWrap(true);
   hint_->setMargin(100);  // so that it stands between the axes
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  hint_->setStyleSheet("font-size: 12pt; color: " + QColor::fromRgb(theme::paper_quiet).name());
+  show_canvas();
   auto* middle = new QVBoxLayout(view_);
   middle->addWidget(hint_);
+  connect(welcome_, &welcome::Page::left, this, &MainWindow::leave_welcome);
+  connect(welcome_, &welcome::Page::new_asked, this, [this] {
+    if (may_discard()) begin_new();
+  });
+  connect(welcome_, &welcome::Page::open_asked, this, &MainWindow::ask_open);
+  connect(welcome_, &welcome::Page::example_asked, this, [this](const std::string& file) {
+    if (may_discard()) (void)open_example(file);  // the error bar says what is wrong
+  });
+  connect(welcome_, &welcome::Page::recent_asked, this, [this](const QString& file) {
+    if (may_discard()) open_asking(to_path(file));
+  });
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
   connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { status_->show_place(where); });
   canvas_ = new Canvas(session_, *view_, this);
@@ -102,6 +124,32 @@ void MainWindow::make_center() {
   connect(canvas_, &Canvas::over_line, this, [this](const QString& dip) { status_->show_dip(dip); });
 }
 
+void MainWindow::show_canvas() {
+  view_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
+  hint_->setStyleSheet("font-size: 12pt; color: " + view_->colors().quiet.name());
+}
+
+void MainWindow::set_theme(theme::Theme theme) {
+  form_->form()->commit();
+  theme::apply(theme);
+}
+
+/// What has taken colours out of the palette takes them again.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || results_ == nullptr) return;
+  // Behind the children, which hear of it later.
+  QTimer::singleShot(0, this, [this] {
+    show_canvas();
+    form_->form()->commit();
+    form_->forget();
+    show_form();
+    if (!session_.outcome()) return;
+    results_->show_outcome(*session_.outcome());
+    layers_->show_picture(documents::picture_of(*session_.outcome(), shown_));
+  });
+}
+
 void MainWindow::make_docks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -109,27 +157,13 @@ void MainWindow::make_docks() {
   form_ = new ParameterForm(this);
   layers_ = new LayerTree(this);
   results_ = new Results(this);
-  QDockWidget* steps = dock(*this, text("Steps"), "dock.steps", steps_, Qt::LeftDockWidgetArea);
-  QDockWidget* form = dock(*this, text("Parameters"), "dock.form", form_, Qt::LeftDockWidgetArea);
-  QDockWidget* layers = dock(*this, text("Layers"), "dock.layers", layers_, Qt::RightDockWidgetArea);
-  QDockWidget* results = dock(*this, text("Results"), "dock.results", results_, Qt::RightDockWidgetArea);
   vertices_ = new vertices::VertexPanel(this);
-  QDockWidget* vertices = dock(*this, text("Vertices"), "dock.vertices", vertices_, Qt::RightDockWidgetArea);
-  tabifyDockWidget(results, vertices);
-  results->raise();
-  resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
-  resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
-  resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
-  if (width() < roomy) {  // what does not fit beside the picture is found under tabs
-    addDockWidget(Qt::LeftDockWidgetArea, layers);
-    addDockWidget(Qt::LeftDockWidgetArea, results);
-    tabifyDockWidget(form, layers);
-    tabifyDockWidget(layers, results);
-    tabifyDockWidget(results, vertices);
-    form->raise();
-    resizeDocks({steps}, {260}, Qt::Horizontal);
-    resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
-  }
+  dock(*this, text("Steps"), "dock.steps", steps_, Qt::LeftDockWidgetArea);
+  dock(*this, text("Parameters"), "dock.form", form_, Qt::LeftDockWidgetArea);
+  dock(*this, text("Layers"), "dock.layers", layers_, Qt::RightDockWidgetArea);
+  dock(*this, text("Results"), "dock.results", results_, Qt::RightDockWidgetArea);
+  dock(*this, text("Vertices"), "dock.vertices", vertices_, Qt::RightDockWidgetArea);
+  place_docks();
 
   connect(steps_, &StepList::selected_changed, this, [this] {
     show_form();
@@ -184,6 +218,36 @@ void MainWindow::make_docks() {
           [this](const std::string&, const std::string& layer, bool visible) {
             canvas_->set_layer_hidden(layer, !visible);
           });
+}
+
+void MainWindow::place_docks() {
+  const auto at = [this](const char* name, Qt::DockWidgetArea area) {
+    auto* panel = findChild<QDockWidget*>(name);
+    addDockWidget(area, panel);
+    panel->show();
+    return panel;
+  };
+  const bool narrow = width() < roomy;  // what does not fit beside the picture is found under tabs
+  const Qt::DockWidgetArea second = narrow ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
+  QDockWidget* steps = at("dock.steps", Qt::LeftDockWidgetArea);
+  QDockWidget* form = at("dock.form", Qt::LeftDockWidgetArea);
+  QDockWidget* layers = at("dock.layers", second);
+  QDockWidget* results = at("dock.results", second);
+  QDockWidget* vertices = at("dock.vertices", second);
+  tabifyDockWidget(results, vertices);
+  results->raise();
+  if (narrow) {
+    tabifyDockWidget(form, layers);
+    tabifyDockWidget(layers, results);
+    tabifyDockWidget(results, vertices);
+    form->raise();
+    resizeDocks({steps}, {260}, Qt::Horizontal);
+    resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
+    return;
+  }
+  resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
+  resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
+  resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
 }
 
 void MainWindow::show_player() {
@@ -251,6 +315,7 @@ void MainWindow::show_document() {
   setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
   setWindowFilePath({});
   setWindowModified(session_.history().modified());
+  if (!document.file.empty() || !document.input.empty() || !document.steps.empty()) leave_welcome();
   steps_->show_document(document, part_states());
   show_undo();
   if (session_.outcome() == nullptr) {

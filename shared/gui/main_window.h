@@ -11,7 +11,9 @@
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/view/settings.h"
+#include "shared/gui/welcome/examples.h"
 
 class QBoxLayout;
 class QDockWidget;
@@ -41,6 +43,9 @@ class ExaggerationBox;
 namespace vertices {
 class VertexPanel;
 }
+namespace welcome {
+class Page;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -48,11 +53,23 @@ class MainWindow : public QMainWindow {
  public:
   /// @param about  what the program is for, one sentence in English source text.
   /// @pre `program` outlives the window.
-  explicit MainWindow(const scenario::Program& program, std::string about = {});
+  explicit MainWindow(const scenario::Program& program, std::string about = {},
+                      std::vector<welcome::Example> examples = {});
   ~MainWindow() override;
 
   /// Opens without asking about unsaved changes; what went wrong is also said in the error bar.
   base::Result<void> open(const std::filesystem::path& file);
+  /// One of the program's examples, as a document without a file; its input files stay in the user's folder of
+  /// examples, where the document finds them wherever it is saved.
+  base::Result<void> open_example(const std::string& file);
+  /// An empty document, without asking about unsaved changes.
+  void begin_new();
+  /// Shows how to begin, instead of the picture, until something is begun.
+  void welcome();
+  /// Panels, bars and size as the last window left them; this one will leave its own when it is closed.
+  void restore_layout();
+  /// Panels, bars and size as at the first start.
+  void reset_layout();
   base::Result<void> save(const std::filesystem::path& file);
   /// SVG, PDF and PNG with cairo, by the ending; layers as they are shown.
   base::Result<void> save_picture(const std::filesystem::path& file);
@@ -83,6 +100,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -90,10 +108,13 @@ class MainWindow : public QMainWindow {
  private:
   void make_center();
   void make_docks();
+  /// Where panels are at first.
+  void place_docks();
   void make_actions();
   void add_file_actions();
   void add_edit_actions();
   void add_view_actions();
+  void add_color_actions();
   void add_panel_action(QDockWidget& panel);
   void add_run_actions();
   void add_help_actions();
@@ -118,6 +139,11 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::vector<actions::Choice> choices();
   void add_choices_of_document(std::vector<actions::Choice>& all);
   void show_keys();
+  [[nodiscard]] theme::Theme kept_theme() const;
+  [[nodiscard]] theme::CanvasChoice kept_canvas() const;
+  void set_theme(theme::Theme theme);
+  /// The canvas that is chosen, in the theme as it is.
+  void show_canvas();
   void copy_step();
   void paste_step();
   void copy_command();
@@ -145,6 +171,8 @@ class MainWindow : public QMainWindow {
   bool may_discard();
   void about();
 
+  void leave_welcome();
+  void show_other_document();
   /// An empty sheet to draw on.
   void show_nothing();
   void show_document();
@@ -163,6 +191,7 @@ class MainWindow : public QMainWindow {
 
   const scenario::Program& program_;
   std::string about_;
+  std::vector<welcome::Example> examples_;
   Session session_;
   Player player_;
   actions::Registry actions_;
@@ -173,6 +202,8 @@ class MainWindow : public QMainWindow {
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
   ErrorBar* error_bar_ = nullptr;
   importing::TakenInBar* taken_in_bar_ = nullptr;
+  welcome::Page* welcome_ = nullptr;
+  bool keeps_layout_ = false;
   StepList* steps_ = nullptr;
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;

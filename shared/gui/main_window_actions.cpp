@@ -35,6 +35,8 @@ namespace {
 constexpr const char* main_bar = "tool_bar";
 constexpr const char* watch_bar = "watch_bar";
 constexpr const char* shown_key = "shown";
+constexpr const char* theme_key = "theme";
+constexpr const char* canvas_key = "canvas";
 
 const char* name_of(documents::Shown shown) {
   switch (shown) {
@@ -70,12 +72,21 @@ void MainWindow::make_actions() {
   if (can_watch()) add_bar(text("Watch"), watch_bar);
   steps_->use(*actions_.menu("&Edit/Add &step"), *actions_.find("step.remove"), *actions_.find("step.up"),
               *actions_.find("step.down"));
+  // Whoever draws wants the sheet.
+  for (const actions::Registry::Entry& entry : actions_.all()) {
+    if (entry.action.id.starts_with("draw."))
+      connect(entry.made, &QAction::triggered, this, &MainWindow::leave_welcome);
+  }
   palette_ = new actions::Palette(*this);
   actions_.refresh();
 }
 
 void MainWindow::add_file_actions() {
   const std::string menu = "&File";
+  actions_.add(
+      {.id = "file.new", .text = "&New", .menu = menu, .section = "open", .keys = {QKeySequence::New}, .run = [this] {
+         if (may_discard()) begin_new();
+       }});
   actions_.add({.id = "file.open",
                 .text = "&Open...",
                 .menu = menu,
@@ -177,7 +188,7 @@ void MainWindow::add_edit_actions() {
                   .run = [this, name = operation.name] { emit steps_->add_asked(name); }});
   }
   actions_.add({.id = "edit.copy_step",
-                .text = "Copy step as &scenario text",
+                .text = "Cop&y step as scenario text",
                 .help = "The selected step, or the input, as a scenario writes it, on the clipboard",
                 .menu = menu,
                 .section = "copy",
@@ -292,7 +303,56 @@ void MainWindow::add_view_actions() {
   add(documents::Shown::Input, "The input", Qt::Key_1, Symbol::ShowInput);
   add(documents::Shown::Result, "The result", Qt::Key_2, Symbol::ShowResult);
   add(documents::Shown::Both, "Input and result", Qt::Key_3, Symbol::ShowBoth);
+  add_color_actions();
   for (QDockWidget* each : findChildren<QDockWidget*>()) add_panel_action(*each);
+  actions_.add({.id = "view.reset_layout",
+                .text = "&Reset layout",
+                .help = "Panels, bars and size of the window as at the first start",
+                .menu = menu,
+                .section = "panels",
+                .run = [this] { reset_layout(); }});
+}
+
+theme::Theme MainWindow::kept_theme() const {
+  const QString name = settings().value(theme_key, "system").toString();
+  return name == "dark" ? theme::Theme::Dark : name == "light" ? theme::Theme::Light : theme::Theme::System;
+}
+
+theme::CanvasChoice MainWindow::kept_canvas() const {
+  const QString name = settings().value(canvas_key, "theme").toString();
+  using theme::CanvasChoice;
+  return name == "dark" ? CanvasChoice::Dark : name == "paper" ? CanvasChoice::Paper : CanvasChoice::AsTheme;
+}
+
+void MainWindow::add_color_actions() {
+  const auto add = [this](const char* key, const char* name, const char* words, const char* menu, auto&& apply,
+                          auto&& is_on) {
+    actions_.add({.id = std::string(key) + "." + name,
+                  .text = words,
+                  .menu = std::string("&View/") + menu,
+                  .section = key,
+                  .run =
+                      [this, key, name, apply] {
+                        settings().setValue(key, name);
+                        apply();
+                      },
+                  .checked = is_on,
+                  .choice = key});
+  };
+  for (const auto& [theme, name, words] : {std::tuple{theme::Theme::System, "system", "As the &system"},
+                                           {theme::Theme::Light, "light", "&Light"},
+                                           {theme::Theme::Dark, "dark", "&Dark"}}) {
+    add(
+        theme_key, name, words, "&Theme", [this, theme = theme] { set_theme(theme); },
+        [this, theme = theme] { return kept_theme() == theme; });
+  }
+  for (const auto& [canvas, name, words] : {std::tuple{theme::CanvasChoice::AsTheme, "theme", "As the &theme"},
+                                            {theme::CanvasChoice::Paper, "paper", "&White paper"},
+                                            {theme::CanvasChoice::Dark, "dark", "&Dark canvas"}}) {
+    add(
+        canvas_key, name, words, "&Canvas", [this] { show_canvas(); },
+        [this, canvas = canvas] { return kept_canvas() == canvas; });
+  }
 }
 
 void MainWindow::add_panel_action(QDockWidget& panel) {
@@ -382,6 +442,12 @@ void MainWindow::add_help_actions() {
                 .run = [this] { palette_->open(choices()); }});
   actions_.add(
       {.id = "help.keys", .text = "&Keys...", .menu = menu, .section = "find", .run = [this] { show_keys(); }});
+  actions_.add({.id = "help.welcome",
+                .text = "&Welcome page",
+                .help = "Examples and recent files",
+                .menu = menu,
+                .section = "find",
+                .run = [this] { welcome(); }});
   actions_.add({.id = "help.about",
                 .text = "&About %1",
                 .menu = menu,

@@ -8,7 +8,10 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
+#include <QToolBar>
+#include <algorithm>
 #include <set>
 
 #include "shared/gui/documents/edit.h"
@@ -23,6 +26,7 @@
 #include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
+#include "shared/gui/welcome/page.h"
 #include "shared/render/cairo.h"
 
 namespace dobra::gui {
@@ -31,6 +35,9 @@ namespace {
 
 constexpr int most_recent_files = 10;
 constexpr const char* recent_key = "recent_files";
+constexpr const char* geometry_key = "layout/geometry";
+constexpr const char* state_key = "layout/state";
+constexpr int layout_version = 1;  ///< Of panels and bars: a layout of another version is not taken up.
 
 QString scenario_filter() { return importing::file_filter({{"Scenarios", {".toml"}}}); }
 
@@ -62,6 +69,72 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
     return opened.error();
   }
   remember_file(file);
+  show_other_document();
+  return {};
+}
+
+base::Result<void> MainWindow::open_example(const std::string& file) {
+  const auto begun = [&]() -> base::Result<void> {
+    DOBRA_TRY(const std::filesystem::path written,
+              welcome::write_example(program_.name, file, welcome::examples_folder(program_.name)));
+    DOBRA_TRY(scenario::Document document, scenario::read_document(written));
+    DOBRA_TRY_VOID(scenario::check_program(document, program_));
+    document.file = written;
+    session_.begin(documents::at_file(std::move(document), program_, {}));
+    return {};
+  }();
+  if (!begun) {
+    show_error(begun.error());
+    return begun.error();
+  }
+  show_other_document();
+  return {};
+}
+
+void MainWindow::begin_new() {
+  session_.begin(documents::empty_document(program_));
+  show_other_document();
+  view_->setFocus();
+}
+
+void MainWindow::welcome() {
+  welcome_->show_recent(recent_files());
+  view_->hide();
+  welcome_->show();
+  welcome_->take_focus();
+}
+
+void MainWindow::leave_welcome() {
+  if (welcome_->isHidden()) return;
+  welcome_->hide();
+  view_->show();
+  view_->setFocus();
+}
+
+void MainWindow::restore_layout() {
+  keeps_layout_ = true;
+  const QSettings kept = settings();
+  restoreGeometry(kept.value(geometry_key).toByteArray());
+  restoreState(kept.value(state_key).toByteArray(), layout_version);
+  // The screen may have become smaller since.
+  const QRect room = screen()->availableGeometry();
+  if (room.contains(frameGeometry())) return;
+  resize(size().boundedTo(room.size()));
+  move(std::clamp(x(), room.left(), room.right() + 1 - width()),
+       std::clamp(y(), room.top(), room.bottom() + 1 - height()));
+}
+
+void MainWindow::reset_layout() {
+  showNormal();
+  const QRect room = screen()->availableGeometry();
+  resize(QSize(1280, 800).boundedTo(room.size()));
+  move(room.topLeft());
+  for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->show();
+  place_docks();
+}
+
+void MainWindow::show_other_document() {
+  leave_welcome();
   form_->forget();
   show_form();
   // The run has only been asked for: its picture comes later.
@@ -71,7 +144,6 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
   layers_->forget_choices();
   layers_->show_picture({});
   steps_->select(session_.document().steps.empty() ? 0 : 1);
-  return {};
 }
 
 base::Result<void> MainWindow::save(const std::filesystem::path& file) {
@@ -183,10 +255,12 @@ bool MainWindow::may_discard() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (may_discard())
-    event->accept();
-  else
-    event->ignore();
+  if (!may_discard()) return event->ignore();
+  event->accept();
+  if (!keeps_layout_) return;
+  QSettings kept = settings();
+  kept.setValue(geometry_key, saveGeometry());
+  kept.setValue(state_key, saveState(layout_version));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

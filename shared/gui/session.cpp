@@ -45,6 +45,16 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
   return {};
 }
 
+void Session::begin(scenario::Document document) {
+  document.file.clear();
+  history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
+  known_bytes_ = std::nullopt;
+  outcome_ = nullptr;
+  cancel();
+  emit document_changed();
+  run();
+}
+
 base::Result<void> Session::save(const std::filesystem::path& file) {
   const auto moved = [&](const scenario::Document& document) { return documents::at_file(document, program_, file); };
   if (history_.modified()) {

@@ -31,6 +31,8 @@ class Session : public QObject {
   /// Replaces document and history by what a file holds, and runs it. Nothing changes on an error.
   /// @error those of scenario::read_document; WrongProgram.
   base::Result<void> open(const std::filesystem::path& file);
+  /// Replaces document and history by a document without a file, and runs it if there is something to run.
+  void begin(scenario::Document document);
   /// Writes the document, and its file of lines; from then on it lives at `file`.
   /// @error CannotWrite, also where a file of lines is in the way that is not the document's.
   base::Result<void> save(const std::filesystem::path& file);

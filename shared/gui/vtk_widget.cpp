@@ -129,6 +129,7 @@ void VtkWidget::release() {
 
 void VtkWidget::initializeGL() {
   scene_ = std::make_unique<Scene>(*this);
+  scene_->scene.set_ground(colors().ground);
   // The context may go and come again (another top-level window); what is on the card goes with it.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release, Qt::UniqueConnection);
   show_picture();
@@ -191,6 +192,15 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
   for (const scene::Panel& panel : picture_.panels) given_.push_back({panel.axes, panel.vertical_exaggeration});
   dress();
   show_picture();
+}
+
+void VtkWidget::set_canvas(theme::Canvas canvas) {
+  canvas_ = canvas;
+  if (!scene_) return;
+  makeCurrent();
+  scene_->scene.set_ground(colors().ground);
+  doneCurrent();
+  show_marker();
 }
 
 void VtkWidget::show_picture() {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/view/history.h"
 #include "shared/gui/view/settings.h"
 #include "shared/scene/pick.h"
@@ -33,6 +34,10 @@ class VtkWidget : public QOpenGLWidget {
 
   /// Gives the panels of a picture the exaggeration and the arrangement that they have here.
   void exaggerate(scene::Picture& picture) const;
+
+  /// What pictures are drawn on.
+  void set_canvas(theme::Canvas canvas);
+  [[nodiscard]] const theme::CanvasColors& colors() const { return theme::canvas_colors(canvas_); }
 
   /// All of every panel, at the scale they share.
   void fit();
@@ -129,6 +134,7 @@ class VtkWidget : public QOpenGLWidget {
   /// Frames are to be quick from now on, until the view has been at rest for a while.
   void hurry();
 
+  theme::Canvas canvas_ = theme::Canvas::Paper;
   /// What the settings change of a panel, as it was given.
   struct Given {
     scene::Axes axes;

@@ -66,8 +66,8 @@ void show_strokes(const std::vector<geom::Segment>& strokes, const scene::Transf
 
 class ActorMaker {
  public:
-  ActorMaker(const scene::Layer& layer, Point origin, double depth)
-      : layer_(layer), style_(layer.style), origin_(origin), depth_(depth) {}
+  ActorMaker(const scene::Layer& layer, Point origin, double depth, const scene::Ground& ground)
+      : layer_(layer), style_(scene::style_on(layer, ground)), origin_(origin), depth_(depth) {}
 
   LayerActors make() && {
     std::visit(*this, layer_.content);
@@ -392,7 +392,7 @@ class ActorMaker {
   }
 
   const scene::Layer& layer_;
-  const scene::Style& style_;
+  const scene::Style style_;
   Point origin_;
   double depth_;
   LayerActors made_;
@@ -400,8 +400,8 @@ class ActorMaker {
 
 }  // namespace
 
-LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth) {
-  return ActorMaker(layer, origin, depth).make();
+LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth, const scene::Ground& ground) {
+  return ActorMaker(layer, origin, depth, ground).make();
 }
 
 }  // namespace dobra::render

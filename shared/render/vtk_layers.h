@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "shared/scene/ground.h"
 #include "shared/scene/layout.h"
 
 namespace dobra::render {
@@ -19,7 +20,8 @@ struct LayerActors {
 
 /// @param layer   its filled regions have their triangles (scene::fill_regions).
 /// @param origin  taken off all coordinates, because the graphics card keeps only seven digits.
+/// @param ground  what is behind all layers.
 /// @param depth   later layers have larger ones, one apart.
-LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth);
+LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth, const scene::Ground& ground = {});
 
 }  // namespace dobra::render

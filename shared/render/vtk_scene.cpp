@@ -60,12 +60,22 @@ class VtkScene::Impl {
     }
   }
 
+  void set_ground(const scene::Ground& ground) {
+    if (std::exchange(ground_, ground) == ground) return;
+    set_background(*background_);
+    set_background(*front_);
+    for (const Panel& panel : panels_) window_.RemoveRenderer(panel.renderer);
+    panels_.clear();
+    build({});
+    arrange();
+  }
+
   void overlay(std::size_t number, const std::vector<scene::Layer>& layers) {
     DOBRA_CHECK(number < panels_.size());
     Panel& panel = panels_[number];
     take_out(panel, panel.above);
     double depth = static_cast<double>(panel.layers.size());
-    for (const scene::Layer& layer : layers) panel.above.push_back(make_actors(layer, panel.origin, depth++));
+    for (const scene::Layer& layer : layers) panel.above.push_back(make_actors(layer, panel.origin, depth++, ground_));
     put_in(panel, panel.above);
   }
 
@@ -88,7 +98,9 @@ class VtkScene::Impl {
     }
     layout_ = scene::layout(picture_, page, views_, measure_, options_);
     for (std::size_t i = 0; i < panels_.size(); ++i) aim(panels_[i], layout_.panels[i], picture_.panels[i]);
-    marks_->show(layout_.marks, height_, ratio_);
+    std::vector<scene::Mark> marks = layout_.marks;
+    for (scene::Mark& mark : marks) mark = scene::on_ground(std::move(mark), ground_);
+    marks_->show(marks, height_, ratio_);
   }
 
   vtkRenderWindow& window_;
@@ -121,6 +133,11 @@ class VtkScene::Impl {
     std::vector<LayerActors> above;  ///< The overlay.
   };
 
+  void set_background(vtkRenderer& renderer) const {
+    const scene::Color& c = ground_.paper;
+    renderer.SetBackground(c.red / 255.0, c.green / 255.0, c.blue / 255.0);
+  }
+
   static void take_out(Panel& panel, std::vector<LayerActors>& layers) {
     for (const LayerActors& layer : layers) {
       for (const auto& actor : layer.actors) panel.renderer->RemoveViewProp(actor);
@@ -143,6 +160,7 @@ class VtkScene::Impl {
     const geom::Point middle = box.empty() ? geom::Point{} : box.centre();
     Panel made;
     made.renderer = old.renderer != nullptr ? old.renderer : add_renderer(window_, panel_level);
+    set_background(*made.renderer);
     // One that is not far off leaves the coordinates their digits.
     const bool near = before != nullptr && geom::distance(old.origin, middle) <= 10.0 * box.diagonal();
     made.origin = near ? old.origin : middle;
@@ -153,7 +171,7 @@ class VtkScene::Impl {
       if (same)
         made.layers.push_back(std::exchange(old.layers[i], {}));
       else
-        made.layers.push_back(make_actors(panel.layers[i], made.origin, static_cast<double>(i)));
+        made.layers.push_back(make_actors(panel.layers[i], made.origin, static_cast<double>(i), ground_));
     }
     take_out(old, old.layers);
     // In the order of the layers, which what is translucent is drawn in; those that stay keep what is on the card.
@@ -204,6 +222,7 @@ class VtkScene::Impl {
     }
   }
 
+  scene::Ground ground_;
   std::vector<Panel> panels_;
   vtkSmartPointer<vtkRenderer> background_;
   vtkSmartPointer<vtkRenderer> front_;
@@ -229,6 +248,8 @@ void VtkScene::set_picture(scene::Picture picture, KeepViews keep) {
   impl_->build(before);
   impl_->arrange();
 }
+
+void VtkScene::set_ground(const scene::Ground& ground) { impl_->set_ground(ground); }
 
 const scene::Picture& VtkScene::picture() const { return impl_->picture_; }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shared/scene/ground.h"
 #include "shared/scene/layout.h"
 
 class vtkActor;
@@ -39,6 +40,9 @@ class VtkScene {
   ///        regions where the picture has none yet (scene::fill_regions).
   void set_picture(scene::Picture picture, KeepViews keep = KeepViews::No);
   [[nodiscard]] const scene::Picture& picture() const;
+
+  /// What the picture is drawn on from now on; white paper at the beginning. @cost that of a new picture.
+  void set_ground(const scene::Ground& ground);
 
   /// Shows or hides the layers of that key in the panels of that key. @cost O(layout).
   void set_layer_visible(std::string_view panel_key, std::string_view layer_key, bool visible);

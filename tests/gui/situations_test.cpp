@@ -54,7 +54,7 @@ class Situations : public testing::TestWithParam<Look> {
     window_->show();
     window_->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 20000));
-    window_->actions().trigger(GetParam().dark ? "theme.dark" : "theme.light");
+    act(GetParam().dark ? "theme.dark" : "theme.light");
     if (!example.empty()) {
       ASSERT_TRUE(window_->open(examples_.file(program + example)).ok());
     }

@@ -1,12 +1,31 @@
 #pragma once
-// The colours that the window gives by itself, on light and on dark palettes and on the paper of the canvas. Words keep
-// a contrast of 4.5 and more to what is behind them.
+// The colours of the programs, one table for widgets and canvas, on light and on dark. Words keep a contrast of 4.5 and
+// more to what is behind them; a test goes through the table.
 
 #include <QPalette>
 
+#include "shared/scene/ground.h"
+
 namespace dobra::gui::theme {
 
+enum class Theme { System, Light, Dark };
+enum class Canvas { Paper, Dark };
+enum class CanvasChoice { AsTheme, Paper, Dark };
+
+/// Of all widgets. System: those that Qt has found on the desktop, with quiet words that can be read.
+/// @pre a QApplication exists.
+void apply(Theme theme);
+
+/// The palette of a theme. System: that of the desktop. @pre a QApplication exists.
+QPalette palette_of(Theme theme);
+
 inline bool is_dark(const QPalette& palette) { return palette.color(QPalette::Base).lightness() < 128; }
+
+/// What a choice comes to beside widgets of a palette.
+inline Canvas canvas_of(CanvasChoice choice, const QPalette& palette) {
+  if (choice == CanvasChoice::AsTheme) return is_dark(palette) ? Canvas::Dark : Canvas::Paper;
+  return choice == CanvasChoice::Dark ? Canvas::Dark : Canvas::Paper;
+}
 
 /// Words on the background of a form.
 inline QColor wrong_text(const QPalette& palette) {
@@ -27,25 +46,27 @@ inline QColor wrong_base(const QPalette& palette) {
 }
 
 /// The palette with words that stand back (defaults, explanations) no fainter than they may be.
-inline QPalette with_quiet_words(QPalette palette) {
-  const QColor quiet = is_dark(palette) ? QColor(0xb4, 0xb9, 0xbe) : QColor(0x5a, 0x5a, 0x5a);
-  for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive})
-    palette.setColor(group, QPalette::PlaceholderText, quiet);
-  return palette;
-}
+QPalette with_quiet_words(QPalette palette);
 
-/// Of a bar that says what went wrong, on any palette.
-inline constexpr const char* error_bar =
-    "#error_bar { background: #fdecea; border: 1px solid #e0a09a; }"
-    "#error_bar QLabel { color: #5f1411; }"
-    "#error_bar QToolButton { color: #5f1411; background: #f8d3ce; border: 1px solid #c98a84; padding: 2px 8px; }";
+/// Of a bar that says what went wrong.
+struct ErrorColors {
+  QColor back, border, words, button, button_border;
+};
+ErrorColors error_colors(const QPalette& palette);
+/// For the widget called error_bar.
+QString error_bar_style(const QPalette& palette);
 
-/// On the canvas, which is white paper.
-inline constexpr QRgb paper_quiet = 0xff666666;
-inline constexpr QRgb paper_words = 0xff202020;
-inline constexpr QRgb paper_behind_words = 0xe1ffffff;
-inline constexpr QRgb drawn = 0xff0b57d0;
-inline constexpr QRgb chosen = 0xffd95f02;
-inline constexpr QRgb snapped = 0xffb0006d;
+/// What is drawn on the canvas by the window itself, over the picture; the picture's own colours follow `ground`.
+struct CanvasColors {
+  scene::Ground ground;
+  QColor quiet;         ///< Hints on an empty sheet.
+  QColor words;         ///< On `behind_words`.
+  QColor behind_words;  ///< Not quite opaque.
+  QColor drawn;         ///< What a tool draws.
+  QColor chosen;
+  QColor snapped;
+  QColor handle;  ///< Inside of handles that are not chosen.
+};
+const CanvasColors& canvas_colors(Canvas canvas);
 
 }  // namespace dobra::gui::theme

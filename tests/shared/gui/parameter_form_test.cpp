@@ -176,11 +176,6 @@ TEST(ParameterForm, WhatIsWrongIsReadableOnLightAndOnDarkPalettes) {
   QApplication::setPalette(before);
 }
 
-TEST(Theme, WordsOnThePaperOfTheCanvasAreReadable) {
-  for (const QRgb words : {theme::paper_quiet, theme::paper_words})
-    EXPECT_GE(contrast(QColor::fromRgb(words), Qt::white), 4.5);
-}
-
 TEST_F(ParameterFormTest, ANumberMayHaveADecimalComma) {
   ASSERT_TRUE(form.type("distance", "12,5").ok());
   EXPECT_EQ(*tables.back().find("distance"), scenario::Value(12.5));

@@ -1,0 +1,129 @@
+#include "shared/gui/welcome/page.h"
+
+#include <QBoxLayout>
+#include <QCommandLinkButton>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QLabel>
+
+namespace dobra::gui::welcome {
+
+namespace {
+
+constexpr int room_for_two_columns = 620;  ///< Pixels.
+
+QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
+
+QLabel* heading(const QString& words, const char* style, QWidget* parent) {
+  auto* made = new QLabel(words, parent);
+  made->setStyleSheet(style);
+  made->setWordWrap(true);
+  made->setTextFormat(Qt::PlainText);
+  return made;
+}
+
+QCommandLinkButton* button(const QString& title, const QString& line, const QString& name, QWidget* parent) {
+  auto* made = new QCommandLinkButton(QString(title).replace("&", "&&"), line, parent);
+  made->setObjectName(name);
+  made->setAccessibleName(title);
+  made->setAccessibleDescription(line);
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // words wrap rather than make the page wider
+  policy.setHeightForWidth(true);
+  made->setSizePolicy(policy);
+  return made;
+}
+
+}  // namespace
+
+Page::Page(const QString& title, const QString& about, const std::vector<Example>& examples, QWidget* parent)
+    : QScrollArea(parent) {
+  setObjectName("welcome");
+  setAccessibleName(text("Welcome"));
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFocusPolicy(Qt::NoFocus);
+  auto* content = new QWidget(this);
+  auto* rows = new QVBoxLayout(content);
+  rows->setContentsMargins(24, 20, 24, 20);
+  rows->addWidget(heading(title, "font-size: 18pt; font-weight: bold", content));
+  rows->addWidget(heading(about, "font-size: 11pt", content));
+  rows->addSpacing(12);
+  columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  columns_->setSpacing(24);
+  rows->addLayout(columns_);
+  rows->addStretch(1);
+
+  auto* files = new QVBoxLayout;
+  files->addWidget(heading(text("Begin"), "font-weight: bold", content));
+  auto* fresh = button(text("New"), text("An empty document"), "welcome.new", content);
+  auto* open = button(text("Open..."), text("A scenario file"), "welcome.open", content);
+  connect(fresh, &QAbstractButton::clicked, this, &Page::new_asked);
+  connect(open, &QAbstractButton::clicked, this, &Page::open_asked);
+  files->addWidget(fresh);
+  files->addWidget(open);
+  files->addSpacing(12);
+  files->addWidget(heading(text("Recent files"), "font-weight: bold", content));
+  recent_ = new QVBoxLayout;
+  files->addLayout(recent_);
+  files->addStretch(1);
+  columns_->addLayout(files, 1);
+  first_ = fresh;
+
+  auto* shown = new QVBoxLayout;
+  shown->addWidget(heading(text("Examples, opened as copies"), "font-weight: bold", content));
+  for (const Example& example : examples) {
+    auto* made = button(text(example.title.c_str()), text(example.line.c_str()),
+                        "welcome.example." + QString::fromStdString(example.file), content);
+    connect(made, &QAbstractButton::clicked, this, [this, file = example.file] { emit example_asked(file); });
+    shown->addWidget(made);
+  }
+  shown->addStretch(1);
+  columns_->addLayout(shown, 1);
+  setWidget(content);
+}
+
+void Page::show_recent(const QStringList& files) {
+  while (QLayoutItem* item = recent_->takeAt(0)) {
+    item->widget()->hide();  // this may be within its own click
+    item->widget()->deleteLater();
+    delete item;
+  }
+  QWidget* before = widget()->findChild<QWidget*>("welcome.open");
+  for (const QString& file : files) {
+    const QFileInfo info(file);
+    const QString folder = info.path();
+    auto* made = button(info.fileName(), info.exists() ? folder : text("Missing from %1").arg(folder),
+                        "welcome.recent." + file, widget());
+    made->setToolTip(file);
+    made->setEnabled(info.exists());
+    connect(made, &QAbstractButton::clicked, this, [this, file] { emit recent_asked(file); });
+    recent_->addWidget(made);
+    setTabOrder(before, made);
+    before = made;
+  }
+  if (files.isEmpty()) recent_->addWidget(heading(text("None yet"), "", widget()));
+}
+
+void Page::take_focus() { first_->setFocus(Qt::OtherFocusReason); }
+
+/// Escape is the page's own while it has the focus, whatever else waits for it.
+bool Page::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+    event->accept();
+  return QScrollArea::event(event);
+}
+
+void Page::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return emit left();
+  QScrollArea::keyPressEvent(event);
+}
+
+void Page::resizeEvent(QResizeEvent* event) {
+  columns_->setDirection(event->size().width() < room_for_two_columns ? QBoxLayout::TopToBottom
+                                                                      : QBoxLayout::LeftToRight);
+  QScrollArea::resizeEvent(event);
+}
+
+}  // namespace dobra::gui::welcome
