@@ -4180,10 +4180,6 @@
         <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
     </message>
     <message>
-        <source>Copy step as &amp;scenario text</source>
-        <translation>Copiar a etapa como &amp;texto de cenário</translation>
-    </message>
-    <message>
         <source>%1 lines</source>
         <translation>%1 linhas</translation>
     </message>

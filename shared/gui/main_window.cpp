@@ -11,6 +11,7 @@
 #include <QPointer>
 #include <QScreen>
 #include <QSettings>
+#include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -240,6 +241,7 @@ void MainWindow::place_docks() {
     tabifyDockWidget(form, layers);
     tabifyDockWidget(layers, results);
     tabifyDockWidget(results, vertices);
+    vertices->hide();  // four titles have no room side by side
     form->raise();
     resizeDocks({steps}, {260}, Qt::Horizontal);
     resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
@@ -248,6 +250,16 @@ void MainWindow::place_docks() {
   resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
   resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
   resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
+}
+
+void MainWindow::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  // Titles of panels under tabs stay whole; what has no room is scrolled to.
+  auto* tabs = qobject_cast<QTabBar*>(event->child());
+  if (event->type() == QEvent::ChildPolished && tabs != nullptr) {
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
+  }
 }
 
 void MainWindow::show_player() {

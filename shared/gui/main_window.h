@@ -100,6 +100,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
+  void childEvent(QChildEvent* event) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;

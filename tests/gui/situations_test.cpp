@@ -13,6 +13,7 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTest>
 #include <QTimer>
 #include <QUrl>
@@ -108,6 +109,12 @@ class Situations : public testing::TestWithParam<Look> {
 
   /// No words are cut off where they do not say so by an ellipsis.
   static void judge(QWidget& window, const std::string& situation) {
+    for (const QTabBar* tabs : window.findChildren<QTabBar*>()) {
+      for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i) {
+        EXPECT_GE(tabs->tabRect(i).width(), tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)))
+            << situation << ": the tab " << tabs->tabText(i).toStdString();
+      }
+    }
     for (QWidget* each : window.findChildren<QWidget*>()) {
       if (!each->isVisible() || each->width() == 0) continue;
       QString words;
