@@ -48,7 +48,7 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
 void Session::begin(scenario::Document document) {
   document.file.clear();
   history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
-  known_bytes_ = std::nullopt;
+  known_.clear();
   outcome_ = nullptr;
   cancel();
   emit document_changed();
