@@ -87,6 +87,27 @@ class Habits : public testing::TestWithParam<const char*> {
   std::unique_ptr<gui::MainWindow> window_;
 };
 
+/// The files that an example names are found as long as it is untitled, and from wherever it is saved then.
+TEST_P(Habits, AnExampleOpenedAsACopyFindsItsFiles) {
+  const std::filesystem::path name = std::filesystem::path(GetParam()).filename();
+  ASSERT_TRUE(window_->open_example(name.string()).ok());
+  come_to_rest();
+  EXPECT_TRUE(session().document().file.empty());
+  EXPECT_FALSE(session().history().modified());
+  const auto judge_run = [&](const char* when) {
+    ASSERT_NE(session().outcome(), nullptr) << when;
+    EXPECT_FALSE(session().outcome()->run.error) << when << ": " << session().outcome()->run.error->message;
+  };
+  judge_run("untitled");
+  const std::filesystem::path far = examples_.file("far");
+  std::filesystem::create_directories(far / "away");
+  ASSERT_TRUE(window_->save(far / "away" / "mine.toml").ok());
+  std::filesystem::current_path(far);
+  ASSERT_TRUE(window_->open(far / "away" / "mine.toml").ok());
+  come_to_rest();
+  judge_run("saved");
+}
+
 TEST_P(Habits, AMonkeyDoesNoHarm) {
   const int count = number_of("DOBRA_MONKEY", 150);
   const auto seed = static_cast<std::uint32_t>(number_of("DOBRA_SEED", 1));
