@@ -15,9 +15,13 @@ constexpr int room_for_two_columns = 620;  ///< Pixels.
 
 QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
 
-QLabel* heading(const QString& words, const char* style, QWidget* parent) {
+/// By its font alone: a style sheet would keep the colours of the theme before.
+QLabel* heading(const QString& words, double points, QFont::Weight weight, QWidget* parent) {
   auto* made = new QLabel(words, parent);
-  made->setStyleSheet(style);
+  QFont font = made->font();
+  if (points > 0.0) font.setPointSizeF(points);
+  font.setWeight(weight);
+  made->setFont(font);
   made->setWordWrap(true);
   made->setTextFormat(Qt::PlainText);
   return made;
@@ -47,8 +51,8 @@ Page::Page(const QString& title, const QString& about, const std::vector<Example
   auto* content = new QWidget(this);
   auto* rows = new QVBoxLayout(content);
   rows->setContentsMargins(24, 20, 24, 20);
-  rows->addWidget(heading(title, "font-size: 18pt; font-weight: bold", content));
-  rows->addWidget(heading(about, "font-size: 11pt", content));
+  rows->addWidget(heading(title, 18.0, QFont::Bold, content));
+  rows->addWidget(heading(about, 11.0, QFont::Normal, content));
   rows->addSpacing(12);
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(24);
@@ -56,7 +60,7 @@ Page::Page(const QString& title, const QString& about, const std::vector<Example
   rows->addStretch(1);
 
   auto* files = new QVBoxLayout;
-  files->addWidget(heading(text("Begin"), "font-weight: bold", content));
+  files->addWidget(heading(text("Begin"), 0.0, QFont::Bold, content));
   auto* fresh = button(text("New"), text("An empty document"), "welcome.new", content);
   auto* open = button(text("Open..."), text("A scenario file"), "welcome.open", content);
   connect(fresh, &QAbstractButton::clicked, this, &Page::new_asked);
@@ -64,7 +68,7 @@ Page::Page(const QString& title, const QString& about, const std::vector<Example
   files->addWidget(fresh);
   files->addWidget(open);
   files->addSpacing(12);
-  files->addWidget(heading(text("Recent files"), "font-weight: bold", content));
+  files->addWidget(heading(text("Recent files"), 0.0, QFont::Bold, content));
   recent_ = new QVBoxLayout;
   files->addLayout(recent_);
   files->addStretch(1);
@@ -72,7 +76,7 @@ Page::Page(const QString& title, const QString& about, const std::vector<Example
   first_ = fresh;
 
   auto* shown = new QVBoxLayout;
-  shown->addWidget(heading(text("Examples, opened as copies"), "font-weight: bold", content));
+  shown->addWidget(heading(text("Examples, opened as copies"), 0.0, QFont::Bold, content));
   for (const Example& example : examples) {
     auto* made = button(text(example.title.c_str()), text(example.line.c_str()),
                         "welcome.example." + QString::fromStdString(example.file), content);
@@ -103,7 +107,7 @@ void Page::show_recent(const QStringList& files) {
     setTabOrder(before, made);
     before = made;
   }
-  if (files.isEmpty()) recent_->addWidget(heading(text("None yet"), "", widget()));
+  if (files.isEmpty()) recent_->addWidget(heading(text("None yet"), 0.0, QFont::Normal, widget()));
 }
 
 void Page::take_focus() { first_->setFocus(Qt::OtherFocusReason); }

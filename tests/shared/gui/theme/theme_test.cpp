@@ -189,6 +189,18 @@ TEST_F(ThemeTest, EveryWordOnTheScreenIsReadableAlsoWhatIsWrong) {
   }
 }
 
+/// The page was made in the theme before, and was hidden when the theme changed.
+TEST_F(ThemeTest, TheWelcomePageIsReadableInTheThemeChosenWhileItWasHidden) {
+  for (const char* theme : {"theme.dark", "theme.light"}) {
+    ASSERT_TRUE(window.actions().trigger(theme));
+    QTest::qWait(50);
+    window.welcome();
+    QTest::qWait(50);
+    EXPECT_EQ(unreadable(window), QStringList()) << theme;
+    window.begin_new();
+  }
+}
+
 TEST_F(ThemeTest, TheCanvasGoesWithTheThemeUntilAnotherIsChosen) {
   open_waves();
   ASSERT_TRUE(window.actions().trigger("canvas.theme"));
