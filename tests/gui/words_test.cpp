@@ -76,8 +76,8 @@ TEST_P(Words, EachQuantityOfEachStateHasWords) {
   for (const QString& key : keys) {
     EXPECT_NE(gui::catalogue::words_of_quantity(key), last_part(key)) << key.toStdString();
     const QString group = key.left(std::max<qsizetype>(key.lastIndexOf('.'), 0));
-    // A block is called as it is.
-    if (!group.isEmpty()) EXPECT_NE(gui::catalogue::words_of_group(group), group) << key.toStdString();
+    if (group.isEmpty()) continue;
+    EXPECT_NE(gui::catalogue::words_of_group(group), group) << key.toStdString();
   }
   // And so the table shows them, with the key under the pointer.
   const auto shown = rows();
@@ -102,7 +102,8 @@ TEST_P(Words, VerdictsAndRemarksAreSaidInTheLanguage) {
       EXPECT_FALSE(gui::catalogue::translated(QString::fromStdString(remark)).contains(english)) << remark;
   }
   for (const scenario::Verdict& verdict : outcome->verdicts) {
-    EXPECT_TRUE(said.contains(QString::fromStdString(verdict.expect.quantity).toHtmlEscaped() + QString::fromUtf8(" é ")))
+    EXPECT_TRUE(
+        said.contains(QString::fromStdString(verdict.expect.quantity).toHtmlEscaped() + QString::fromUtf8(" é ")))
         << verdict.message;
   }
   EXPECT_FALSE(said.contains("+-"));
