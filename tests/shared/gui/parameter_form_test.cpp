@@ -125,7 +125,7 @@ TEST_F(ParameterFormTest, CheckBoxAndChoiceChangeAtAClick) {
 }
 
 TEST_F(ParameterFormTest, ALongTextShowsItsBeginningAndTheWholeUnderThePointer) {
-  const QString name = QString("Upper Sandstone of the eastern block, ").repeated(6);
+  const QString name = QString("Upper Sandstone of the eastern block, ").repeated(6).trimmed();
   auto* line = inside<QLineEdit>("note");
   EXPECT_TRUE(form.type("note", name).ok());
   EXPECT_EQ(line->text(), name);
