@@ -221,7 +221,7 @@ scene::Panel domain_panel(const model::Model& model) {
 
 scene::Panel mesh_panel(const model::Model& model, const model::Meshed& meshed, std::size_t number) {
   scene::Panel panel{.key = fmt::format("mesh_{}", number), .title = {}, .axes = {}, .layers = {}};
-  panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
+  panel.title = fmt::format("{}: {} {}", shown_name(meshed.name), meshed.mesh.element_count(), translated("elements"));
   panel.layers.push_back(mesh_layer(meshed.mesh));
   if (!only_triangles(meshed.mesh)) panel.layers.push_back(outline_layer(meshed.mesh));
   if (meshed.constraints > 0) {
@@ -240,8 +240,8 @@ scene::Panel mesh_panel(const model::Model& model, const model::Meshed& meshed, 
 /// Triangles made so far, and the front in its own colour.
 scene::Panel work_panel(const model::Model& model, const model::MeshWork& work) {
   scene::Panel panel{.key = "work", .title = {}, .axes = {}, .layers = {}};
-  panel.title = fmt::format("{}: {} {}, {} {}", work.name, work.steps, translated("steps"), work.triangles.size(),
-                            translated("triangles"));
+  panel.title = fmt::format("{}: {} {}, {} {}", shown_name(work.name), work.steps, translated("steps"),
+                            work.triangles.size(), translated("triangles"));
   panel.layers.push_back(domain_layer(model.domain));
   scene::Mesh content;
   content.points = work.points;
@@ -306,6 +306,16 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
 }
 
 }  // namespace
+
+std::string shown_name(const std::string& name) {
+  for (const char* const given : {"Mesh", "Cycle"}) {
+    const std::string start = std::string(given) + ' ';
+    const bool numbered = name.starts_with(start) && name.size() > start.size() &&
+                          name.find_first_not_of("0123456789", start.size()) == std::string::npos;
+    if (numbered) return translated(given) + name.substr(start.size() - 1);
+  }
+  return name;
+}
 
 double outline_width(const mesh::ElementMesh& mesh) { return width_among(mesh.element_count()); }
 
@@ -390,7 +400,7 @@ scene::Picture histogram_picture(const model::Meshed& meshed) {
                      .title = {},
                      .axes = {translated("alpha"), translated("share of the elements"), scene::AxisScale::Diagram},
                      .layers = {}};
-  panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
+  panel.title = fmt::format("{}: {} {}", shown_name(meshed.name), meshed.mesh.element_count(), translated("elements"));
   double highest = 0.0;
   for (std::size_t i = 0; i < bins.size(); ++i) {
     if (bins[i] == 0) continue;
@@ -427,7 +437,7 @@ scene::Picture histogram_picture(const model::Meshed& meshed) {
 
 scene::Picture size_field_picture(const model::Model& model, const model::Meshed& meshed) {
   scene::Panel panel = mesh_panel(model, meshed, 1);
-  panel.title = fmt::format("{}: {}", meshed.name, translated("sizes wanted"));
+  panel.title = fmt::format("{}: {}", shown_name(meshed.name), translated("sizes wanted"));
   // The field below, the tree and the curves above it.
   const auto is_below = [](const scene::Layer& layer) { return layer.key == "size_field" || layer.key == "quadtree"; };
   std::stable_partition(panel.layers.begin(), panel.layers.end(), is_below);

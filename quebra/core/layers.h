@@ -13,6 +13,9 @@ namespace quebra::core {
 /// Of outlines and of figures.
 inline constexpr dobra::scene::Color ink{38, 50, 56};
 
+/// The name of a mesh as pictures show it: "Mesh 2" and "Cycle 2", which the program gives, in the user's language.
+std::string shown_name(const std::string& name);
+
 /// The domain, or the last two meshes, or the mesher at work.
 void draw(const model::Model& model, dobra::scene::Picture& picture);
 void add_quantities(const model::Model& model, std::vector<dobra::scenario::Quantity>& quantities);

@@ -302,7 +302,7 @@ scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_cas
 
   scene::Panel panel{.key = "analysis"};
   panel.title = fmt::format("{}: {}", analysis.solution.cases[load_case].name, title_of(params.field));
-  if (params.cycle > 0) panel.title = analysis.meshed->name + ", " + panel.title;
+  if (params.cycle > 0) panel.title = shown_name(analysis.meshed->name) + ", " + panel.title;
   if (factor > 0.0) panel.title += fmt::format(", {}\u00a0\u00d7\u00a0{:g}", translated("displacements"), factor);
   panel.title += fmt::format("; eta\u00a0{:.2g}\u00a0%", 100.0 * analysis.fields[load_case].estimate.eta);
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content,

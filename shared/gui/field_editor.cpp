@@ -1,8 +1,10 @@
 #include "shared/gui/field_editor.h"
 
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -12,6 +14,7 @@
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -130,17 +133,60 @@ class UndoPassesThrough : public QObject {
   QLineEdit* line_;
 };
 
+/// Of a text that its line cuts off: its beginning while nobody writes there, and the whole under the pointer.
+class WholeText : public QObject {
+ public:
+  explicit WholeText(QLineEdit* line) : QObject(line), line_(line) { line->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::FocusOut) {
+      const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+      if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason) line_->setCursorPosition(0);
+      return false;
+    }
+    const QString whole = line_->text();
+    if (event->type() != QEvent::ToolTip || line_->fontMetrics().horizontalAdvance(whole) + 8 <= line_->width())
+      return false;
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       "<p style='white-space:pre-wrap'>" + whole.toHtmlEscaped() + "</p>", line_);
+    return true;
+  }
+
+ private:
+  QLineEdit* line_;
+};
+
+/// Listens to the letters of codes (the items' data) where those of the words do not fit.
 class CalmComboBox : public QComboBox {
  public:
   using QComboBox::QComboBox;
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    const bool letter = !event->text().isEmpty() && event->text().front().isPrint() &&
+                        (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
+    if (letter) {
+      const bool goes_on = since_.isValid() && since_.elapsed() < QApplication::keyboardInputInterval();
+      typed_ = (goes_on ? typed_ : QString()) + event->text();
+      since_.start();
+      const int code = findData(typed_, Qt::UserRole, Qt::MatchStartsWith);
+      if (code >= 0 && findText(typed_, Qt::MatchStartsWith) < 0) {
+        setCurrentIndex(code);
+        emit activated(code);
+        return;
+      }
+    }
+    QComboBox::keyPressEvent(event);
+  }
   void wheelEvent(QWheelEvent* event) override {
     if (hasFocus())
       QComboBox::wheelEvent(event);
     else
       event->ignore();
   }
+
+ private:
+  QString typed_;
+  QElapsedTimer since_;  ///< The last letter.
 };
 
 QHBoxLayout* tight_row(QWidget* widget) {
@@ -162,11 +208,14 @@ class LineEditor : public FieldEditor {
   void show_value(const Values& value, Origin origin) override {
     shown_ = value ? QString::fromStdString(plain_text(*value)) : QString();
     told_ = shown_;
+    const int cursor = line_->text() == shown_ ? line_->cursorPosition() : line_->hasFocus() ? -1 : 0;
     line_->setText(shown_);
+    if (cursor >= 0) line_->setCursorPosition(cursor);
     show_origin(*surface_, origin);
   }
   void type(const QString& typed) override {
     line_->setText(typed);
+    line_->setCursorPosition(0);
     show_origin(*surface_, Origin::Document);
     commit();
   }
@@ -193,6 +242,7 @@ class LineEditor : public FieldEditor {
     surface_ = surface;
     setFocusProxy(surface);
     new UndoPassesThrough(line);
+    new WholeText(line);
     connect(line, &QLineEdit::editingFinished, this, &LineEditor::commit);
     connect(line, &QLineEdit::textEdited, this, [this] { show_origin(*surface_, Origin::Document); });
   }
@@ -361,7 +411,11 @@ class ChoiceEditor : public FieldEditor {
  public:
   ChoiceEditor(const Field& field, QWidget* parent) : FieldEditor(parent), box_(new CalmComboBox(this)) {
     box_->setFocusPolicy(Qt::StrongFocus);
-    for (const std::string& choice : field.choices) box_->addItem(choice_text(choice), QString::fromStdString(choice));
+    for (const std::string& choice : field.choices) {
+      const QString code = QString::fromStdString(choice);
+      box_->addItem(choice_text(field, choice), code);
+      box_->setItemData(box_->count() - 1, code, Qt::ToolTipRole);
+    }
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box_->setMinimumContentsLength(6);
     box_->setPlaceholderText(words_for_nothing(field));
@@ -375,7 +429,8 @@ class ChoiceEditor : public FieldEditor {
     show_origin(*box_, origin);
   }
   void type(const QString& typed) override {
-    const int index = std::max(box_->findData(typed), box_->findText(typed));
+    const int code = box_->findData(typed);
+    const int index = code >= 0 ? code : box_->findText(typed, Qt::MatchFixedString);
     if (index < 0) {
       emit rejected(text("'%1' is not one of the choices").arg(typed));
       return;
@@ -495,7 +550,12 @@ FieldEditor* make_field_editor(const Field& field, const std::filesystem::path& 
   return nullptr;
 }
 
-QString choice_text(const std::string& choice) { return text(choice.c_str()); }
+QString choice_text(const Field& field, const std::string& choice) {
+  const QString code = QString::fromStdString(choice);
+  const QString words = QCoreApplication::translate("dobra", choice.c_str(), field.key.c_str());
+  const bool symbol = code.indexOf('_') == 1;  // "s_xx", "b_spline"
+  return words != code || symbol ? words : QString(code).replace('_', ' ');
+}
 
 base::Result<std::vector<geom::Point>> points_from_text(const std::string& written) {
   std::vector<geom::Point> points;

@@ -56,8 +56,9 @@ class FieldEditor : public QWidget {
 /// @pre field.kind is not Tables.
 FieldEditor* make_field_editor(const scenario::Field& field, const std::filesystem::path& folder, QWidget* parent);
 
-/// How a choice is called in a form: its translation, or itself.
-QString choice_text(const std::string& choice);
+/// How a form calls a choice of the field: its translation, that with the field's key as comment before others; else
+/// the code with blanks between its words.
+QString choice_text(const scenario::Field& field, const std::string& choice);
 
 /// Points from text: two numbers a line, separated by commas, semicolons, tabs or blanks, with or without brackets.
 /// @error BadValue with the number of the line.

@@ -64,7 +64,7 @@ QString number(double value) {
 
 /// A default as the editor shows it.
 QString said_value(const Field& field, const QString& value) {
-  if (field.kind == Kind::Choice) return choice_text(value.toStdString());
+  if (field.kind == Kind::Choice) return choice_text(field, value.toStdString());
   if (field.kind == Kind::Flag) return value == "true" ? text("yes") : text("no");
   return value;
 }

@@ -45,6 +45,7 @@ inline std::map<std::string, std::string> brazilian() {
 inline void collect(const std::vector<scenario::Field>& fields, std::set<std::string>& texts) {
   for (const scenario::Field& field : fields) {
     texts.insert({field.options.title, field.options.help});
+    texts.insert(field.choices.begin(), field.choices.end());
     for (const scenario::FileKind& kind : field.options.files) texts.insert(kind.title);
     collect(field.fields, texts);
   }

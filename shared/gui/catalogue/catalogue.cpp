@@ -40,8 +40,22 @@ base::Error bad_line(qsizetype number, const char* what) {
   return {base::ErrorCode::BadFormat, what, place};
 }
 
+/// The file of the resources; empty where there is none.
+Catalogue from_resources(const QString& name) {
+  QFile file(":/translations/" + name + ".txt");
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const base::Result<std::vector<Entry>> entries = read_entries(QString::fromUtf8(file.readAll()));
+  DOBRA_CHECK(entries.ok());  // a file of our own, judged by a test
+  return Catalogue(*entries);
+}
+
 Catalogue& installed() {
   static Catalogue catalogue;
+  return catalogue;
+}
+
+Catalogue& quantities() {
+  static Catalogue catalogue = from_resources("quantities_en");
   return catalogue;
 }
 
@@ -66,8 +80,8 @@ Catalogue::Catalogue(const std::vector<Entry>& entries) {
                    [](const Pattern& a, const Pattern& b) { return a.letters > b.letters; });
 }
 
-std::optional<QString> Catalogue::said(const QString& message, int depth) const {
-  if (depth > deepest) return std::nullopt;
+std::optional<QString> Catalogue::said(const QString& message, int deeper) const {
+  if (deeper < 0) return std::nullopt;
   for (const Pattern& pattern : patterns_) {
     if (!message.startsWith(pattern.start)) continue;
     const QRegularExpressionMatch match = pattern.expression.match(message);
@@ -77,7 +91,7 @@ std::optional<QString> Catalogue::said(const QString& message, int depth) const 
     for (std::size_t i = 0; i < parts.arguments.size(); ++i) {
       const int argument = parts.arguments[i];
       const QString given = match.captured(argument + 1);
-      made += pattern.quoted[static_cast<std::size_t>(argument)] ? given : said(given, depth + 1).value_or(given);
+      made += pattern.quoted[static_cast<std::size_t>(argument)] ? given : said(given, deeper - 1).value_or(given);
       made += parts.fixed[static_cast<qsizetype>(i) + 1];
     }
     return made;
@@ -85,7 +99,9 @@ std::optional<QString> Catalogue::said(const QString& message, int depth) const 
   return std::nullopt;
 }
 
-QString Catalogue::translated(const QString& message) const { return said(message, 0).value_or(message); }
+QString Catalogue::translated(const QString& message) const { return said(message, deepest).value_or(message); }
+
+std::optional<QString> Catalogue::with_arguments_kept(const QString& message) const { return said(message, 0); }
 
 bool Catalogue::knows(const QString& message) const { return said(message, 0).has_value(); }
 
@@ -110,12 +126,17 @@ base::Result<std::vector<Entry>> read_entries(const QString& written) {
 const Catalogue& current() { return installed(); }
 
 void install(const QString& language) {
-  installed() = {};
-  QFile file(":/translations/messages_" + language + ".txt");
-  if (!file.open(QIODevice::ReadOnly)) return;
-  const base::Result<std::vector<Entry>> entries = read_entries(QString::fromUtf8(file.readAll()));
-  DOBRA_CHECK(entries.ok());  // a file of our own, judged by a test
-  installed() = Catalogue(*entries);
+  installed() = from_resources("messages_" + language);
+  Catalogue words = from_resources("quantities_" + language);
+  quantities() = words.size() > 0 ? std::move(words) : from_resources("quantities_en");
+}
+
+QString words_of_group(const QString& group) { return quantities().with_arguments_kept(group + '.').value_or(group); }
+
+QString words_of_quantity(const QString& key) {
+  const QString last = key.mid(key.lastIndexOf('.') + 1);
+  if (const auto whole = quantities().with_arguments_kept(key)) return *whole;
+  return quantities().with_arguments_kept(last).value_or(last);
 }
 
 }  // namespace dobra::gui::catalogue

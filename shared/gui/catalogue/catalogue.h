@@ -6,6 +6,7 @@
 
 #include <QRegularExpression>
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "shared/base/result.h"
@@ -26,6 +27,8 @@ class Catalogue {
   /// The message in the other language; itself where no template fits. Of several that fit the one with the most fixed
   /// letters wins. @cost a regular expression for each template whose first letters fit
   [[nodiscard]] QString translated(const QString& message) const;
+  /// As translated, but arguments stay as they are; nothing where no template fits.
+  [[nodiscard]] std::optional<QString> with_arguments_kept(const QString& message) const;
   /// Whether a template fits the message.
   [[nodiscard]] bool knows(const QString& message) const;
   [[nodiscard]] std::size_t size() const { return patterns_.size(); }
@@ -38,7 +41,8 @@ class Catalogue {
     QString translation;
     qsizetype letters = 0;
   };
-  [[nodiscard]] std::optional<QString> said(const QString& message, int depth) const;
+  /// Messages within messages up to `deeper` levels; arguments further in stay as they are.
+  [[nodiscard]] std::optional<QString> said(const QString& message, int deeper) const;
 
   std::vector<Pattern> patterns_;  ///< Those with more fixed letters first.
 };
@@ -50,6 +54,12 @@ base::Result<std::vector<Entry>> read_entries(const QString& text);
 /// That of the user's language, in the resources of the window; empty in English. Set by install.
 const Catalogue& current();
 void install(const QString& language);
+
+/// What stands before the last dot of a quantity's key, in the words of the user's language, English where there is no
+/// other: "horizon.Top" gives "Horizon Top". Names stay; the key itself where it has no words.
+QString words_of_group(const QString& group);
+/// The last part of a quantity's key in words: "horizon.Top.length_after" gives "Length after".
+QString words_of_quantity(const QString& key);
 
 /// By the current catalogue.
 inline QString translated(const QString& message) { return current().translated(message); }

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QTranslator>
 
+#include "shared/gui/catalogue/catalogue.h"
+
 namespace dobra::test {
 
 class Brazilian {
@@ -12,8 +14,12 @@ class Brazilian {
   Brazilian() {
     if (translator.load(QLocale("pt_BR"), "dobra", "_", ":/translations"))
       QCoreApplication::installTranslator(&translator);
+    gui::catalogue::install("pt_BR");
   }
-  ~Brazilian() { QCoreApplication::removeTranslator(&translator); }
+  ~Brazilian() {
+    gui::catalogue::install("en");
+    QCoreApplication::removeTranslator(&translator);
+  }
   QTranslator translator;
 };
 

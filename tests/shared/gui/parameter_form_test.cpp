@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +122,37 @@ TEST_F(ParameterFormTest, CheckBoxAndChoiceChangeAtAClick) {
   EXPECT_EQ(*tables.back().find("filled"), scenario::Value(false));
   EXPECT_TRUE(form.type("corners", "round").ok());
   EXPECT_EQ(*tables.back().find("corners"), scenario::Value(std::string("round")));
+}
+
+TEST_F(ParameterFormTest, ALongTextShowsItsBeginningAndTheWholeUnderThePointer) {
+  const QString name = QString("Upper Sandstone of the eastern block, ").repeated(6).trimmed();
+  auto* line = inside<QLineEdit>("note");
+  EXPECT_TRUE(form.type("note", name).ok());
+  EXPECT_EQ(line->text(), name);
+  EXPECT_EQ(line->cursorPosition(), 0);
+  Table table;
+  table.set("note", name.toStdString());
+  form.set_table({});
+  form.set_table(table);
+  EXPECT_EQ(line->cursorPosition(), 0);
+  const auto hover = [&](QLineEdit* over) {
+    QHelpEvent event(QEvent::ToolTip, over->rect().center(), over->mapToGlobal(over->rect().center()));
+    QCoreApplication::sendEvent(over, &event);
+  };
+  hover(line);
+  EXPECT_TRUE(QToolTip::text().contains(name));
+  // What is not cut off leaves the help of the field there.
+  EXPECT_TRUE(form.type("note", "short").ok());
+  hover(line);
+  EXPECT_FALSE(QToolTip::text().contains("short"));
+  // Written with keys, it shows its beginning as soon as it is left.
+  QApplication::setActiveWindow(&form);
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, name);
+  EXPECT_EQ(line->cursorPosition(), name.size());
+  QTest::keyClick(line, Qt::Key_Tab);
+  EXPECT_EQ(line->cursorPosition(), 0);
 }
 
 TEST_F(ParameterFormTest, WhatIsWrittenInTheTableIsJudgedWhenShown) {

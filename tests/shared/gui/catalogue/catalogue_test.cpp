@@ -55,6 +55,40 @@ TEST(Catalogue, ArgumentsWithTheWordsOfTheTemplateDoNotConfuseIt) {
   EXPECT_EQ(small().translated("'x, found y' must be a number, found 1"), "'x, found y' precisa ser um número, e é 1");
 }
 
+TEST(Catalogue, NamesWithinQuantitiesStay) {
+  const Catalogue words(
+      std::vector<Entry>{{"horizon.{}.", "Horizonte {}"}, {"section.", "Seção"}, {"section", "corte"}});
+  EXPECT_EQ(words.with_arguments_kept("horizon.section."), "Horizonte section");
+  EXPECT_EQ(words.with_arguments_kept("horizon.A.B (1)."), "Horizonte A.B (1)");
+  EXPECT_EQ(words.with_arguments_kept("fault.section."), std::nullopt);
+}
+
+TEST(Catalogue, QuantitiesHaveWordsInBothLanguages) {
+  install("pt_BR");
+  EXPECT_EQ(words_of_group("since_input.horizon.Top (1)"), "Desde a entrada: horizonte Top (1)");
+  EXPECT_EQ(words_of_quantity("horizon.top.length_after"), "Comprimento depois");
+  EXPECT_EQ(words_of_quantity("invert.misfit.area"), "area");  // a bed of that name
+  install("fr_FR");
+  EXPECT_EQ(words_of_group("horizon.top"), "Horizon top");
+  EXPECT_EQ(words_of_quantity("section.units_area"), "Area of the units");
+  EXPECT_EQ(words_of_quantity("section.no_such_thing"), "no_such_thing");
+  install("en");
+}
+
+TEST(Catalogue, FilesOfQuantitiesHaveTheSameKeys) {
+  std::vector<QStringList> keys;
+  for (const char* name : {"quantities_en.txt", "quantities_pt_BR.txt"}) {
+    const auto file = std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/translations" / name;
+    const auto entries = read_entries(QString::fromStdString(io::read_text(file).value()));
+    ASSERT_TRUE(entries) << name << ' ' << entries.error().place->line << ": " << entries.error().message;
+    EXPECT_GT(entries->size(), 150U);
+    QStringList& all = keys.emplace_back();
+    for (const Entry& entry : *entries) all << entry.source;
+    EXPECT_EQ(all.removeDuplicates(), 0) << name;
+  }
+  EXPECT_EQ(keys[0], keys[1]);
+}
+
 TEST(Catalogue, TheFileIsReadWhole) {
   const auto file = std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/translations/messages_pt_BR.txt";
   const auto entries = read_entries(QString::fromStdString(io::read_text(file).value()));
