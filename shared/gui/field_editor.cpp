@@ -418,7 +418,7 @@ class PointsEditor : public FieldEditor {
   ~PointsEditor() override { disconnect(leaving_, nullptr, this, nullptr); }
   void show_value(const Values& value, Origin origin) override {
     const QString words =
-        value ? QString::fromStdString(text_of_points(std::get<std::vector<geom::Point>>(*value))) : QString();
+        value ? QString::fromStdString(text_of_points(std::get<scenario::Points>(*value).list())) : QString();
     // The user's own layout stays while it means the same: the document comes back after each change.
     const base::Result<std::vector<geom::Point>> typed = points_from_text(edit_->toPlainText().toStdString());
     if (!value || !typed || Value(*typed) != *value) {

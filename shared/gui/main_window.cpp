@@ -464,6 +464,11 @@ void MainWindow::show_outcome() {
   actions_->cancel->setEnabled(session_.busy());
   if (!session_.outcome()) return;
   const documents::Outcome& outcome = *session_.outcome();
+  frames::Meter& meter = view_->meter();
+  meter.add(frames::Part::Edit, session_.last_edit_milliseconds());
+  meter.add(frames::Part::Run, 1000.0 * outcome.run_seconds);
+  meter.add(frames::Part::Layers, 1000.0 * (outcome.seconds - outcome.run_seconds));
+  meter.expect_state();
   error_.reset();
   error_bar_->clear();
   view_->clear_place();

@@ -56,10 +56,30 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget
 }
 
 void Results::show_outcome(const documents::Outcome& outcome) {
+  show_quantities(outcome.quantities);
+  show_remarks(outcome);
+}
+
+void Results::show_quantities(const std::vector<scenario::Quantity>& quantities) {
+  std::vector<std::string> names;
+  for (const scenario::Quantity& quantity : quantities) names.push_back(quantity.name);
+  // A run that changes numbers changes no more than numbers.
+  if (names != names_) list_names(quantities);
+  names_ = std::move(names);
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const scenario::Quantity& quantity = quantities[i];
+    const QString value = (readable(quantity.value) + " " + QString::fromStdString(quantity.unit)).trimmed();
+    if (lines_[i]->text(1) != value) lines_[i]->setText(1, value);
+    lines_[i]->setToolTip(1, QString::fromStdString(base::number_text(quantity.value)));
+  }
+}
+
+void Results::list_names(const std::vector<scenario::Quantity>& quantities) {
   quantities_->clear();
+  lines_.clear();
   QTreeWidgetItem* group = nullptr;
   QString group_name;
-  for (const scenario::Quantity& quantity : outcome.quantities) {
+  for (const scenario::Quantity& quantity : quantities) {
     const QString name = QString::fromStdString(quantity.name);
     const auto dot = name.lastIndexOf('.');
     const QString prefix = name.left(std::max<qsizetype>(dot, 0));
@@ -68,14 +88,16 @@ void Results::show_outcome(const documents::Outcome& outcome) {
       group = prefix.isEmpty() ? nullptr : new QTreeWidgetItem(quantities_, {prefix});
       if (group != nullptr) group->setFirstColumnSpanned(true);
     }
-    const QString value = (readable(quantity.value) + " " + QString::fromStdString(quantity.unit)).trimmed();
-    const QStringList cells{name.mid(dot + 1), value};
+    const QStringList cells{name.mid(dot + 1), {}};
     auto* line = group != nullptr ? new QTreeWidgetItem(group, cells) : new QTreeWidgetItem(quantities_, cells);
     line->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     line->setToolTip(0, name);
-    line->setToolTip(1, QString::fromStdString(base::number_text(quantity.value)));
+    lines_.push_back(line);
   }
   quantities_->expandAll();
+}
+
+void Results::show_remarks(const documents::Outcome& outcome) {
   QString said;
   for (const scenario::Verdict& verdict : outcome.verdicts) {
     if (verdict.met)
@@ -86,11 +108,13 @@ void Results::show_outcome(const documents::Outcome& outcome) {
   for (const std::string& remark : outcome.remarks)
     said += list_item(theme::remark_text(palette()), QString::fromUtf8("•"), remark);
   if (said.isEmpty()) said = "<i>" + text("No remarks.") + "</i>";
-  remarks_->setText(said);
+  if (remarks_->text() != said) remarks_->setText(said);
 }
 
 void Results::clear() {
   quantities_->clear();
+  lines_.clear();
+  names_.clear();
   remarks_->clear();
 }
 
