@@ -56,7 +56,7 @@ TEST(Points, RandomEditsGiveWhatAPlainListGives) {
     std::vector<std::pair<Points, List>> before;
     for (int k = 0; k < 300; ++k) {
       before.emplace_back(points, list);
-      const unsigned what = random() % 5;
+      const auto what = random() % 5;
       const geom::Point p{static_cast<double>(k), -1.0};
       if (what == 0 || list.empty()) {
         list.insert(list.begin() + below(list.size() + 1), p);
