@@ -23,7 +23,7 @@ struct MaterialParams {
   template <class D>
   static void describe(D& d) {
     d.field("region", &MaterialParams::region,
-            {.title = "Region", .help = "Empty: every region that has no material of its own."});
+            {.title = "Region", .help = "Empty: every region that has no material of its own.", .names = "region"});
     d.field("young", &MaterialParams::young,
             {.title = "Young's modulus", .unit = "Pa", .above = 0, .presence = dobra::scenario::Presence::Required});
     d.field("poisson", &MaterialParams::poisson,
@@ -43,6 +43,7 @@ struct SupportParams {
     d.field("where", &SupportParams::where,
             {.title = "Where",
              .help = "Name of a curve, a lip or a point; or a condition, such as \"x = 0 and y > 1\".",
+             .names = "place",
              .presence = dobra::scenario::Presence::Required});
     d.field("x", &SupportParams::x,
             {.title = "Along x", .help = "Prescribed displacement; 0 holds, nothing leaves free.", .unit = "m"});
@@ -68,6 +69,7 @@ struct SpringParams {
     d.field("where", &SpringParams::where,
             {.title = "Where",
              .help = "Name of a curve, a lip or a point; or a condition, such as \"x = 0 and y > 1\".",
+             .names = "place",
              .presence = dobra::scenario::Presence::Required});
     d.choice("kind", &SpringParams::kind, {"node", "bed"},
              {.title = "Kind", .help = "node: a spring at each node, N/m; bed: along a curve, N/m3."});
@@ -90,12 +92,17 @@ struct TieParams {
   static void describe(D& d) {
     d.field("where", &TieParams::where,
             {.title = "Where",
-             .help = "Name of a curve, or a condition such as \"y = 2\", whose nodes all move alike along `axis`."});
-    d.choice("axis", &TieParams::axis, {"x", "y"}, {.title = "Axis"});
+             .help = "Name of a curve, or a condition such as \"y = 2\", whose nodes all move alike along `axis`.",
+             .names = "place"});
+    d.choice("axis", &TieParams::axis, {"x", "y"}, {.title = "Axis", .when = "where is set"});
     d.field("points", &TieParams::points,
-            {.title = "Points", .help = "Or: sum of coefficient times displacement of these points = value."});
-    d.field("axes", &TieParams::axes, {.title = "Axes", .help = "\"x\" or \"y\", one a point."});
-    d.field("coefficients", &TieParams::coefficients, {.title = "Coefficients", .help = "One a point."});
+            {.title = "Points",
+             .help = "Or: sum of coefficient times displacement of these points = value.",
+             .names = "point"});
+    d.field("axes", &TieParams::axes,
+            {.title = "Axes", .help = "\"x\" or \"y\", one a point.", .when = "points is set"});
+    d.field("coefficients", &TieParams::coefficients,
+            {.title = "Coefficients", .help = "One a point.", .when = "points is set"});
     d.field("value", &TieParams::value, {.title = "Value", .unit = "m"});
   }
 };

@@ -45,20 +45,29 @@ struct CurveParams {
              "line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; "
              "circle: centre and radius; spline: smooth through the points, closed if the last repeats the first."});
     d.field("points", &CurveParams::points,
-            {.title = "Points", .help = "Vertices of a line or polygon; first and last point of an arc.", .unit = "m"});
-    d.field("centre", &CurveParams::centre, {.title = "Centre", .help = "Of an arc or circle.", .unit = "m"});
+            {.title = "Points",
+             .help = "Vertices of a line or polygon; first and last point of an arc.",
+             .unit = "m",
+             .when = "kind in line, polygon, arc, spline"});
+    d.field("centre", &CurveParams::centre,
+            {.title = "Centre", .help = "Of an arc or circle.", .unit = "m", .when = "kind in arc, circle"});
     d.field("radius", &CurveParams::radius,
-            {.title = "Radius", .help = "Of a circle, or of an arc given by angles.", .unit = "m", .above = 0});
+            {.title = "Radius",
+             .help = "Of a circle, or of an arc given by angles.",
+             .unit = "m",
+             .above = 0,
+             .when = "kind in arc, circle"});
     d.field("start", &CurveParams::start,
-            {.title = "Start angle", .help = "Of an arc, anticlockwise from +x.", .unit = "deg"});
+            {.title = "Start angle", .help = "Of an arc, anticlockwise from +x.", .unit = "deg", .when = "kind = arc"});
     d.field("sweep", &CurveParams::sweep,
             {.title = "Sweep angle",
              .help = "Of an arc; negative runs clockwise.",
              .unit = "deg",
              .at_least = -360,
-             .at_most = 360});
+             .at_most = 360,
+             .when = "kind = arc"});
     d.choice("turning", &CurveParams::turning, {"anticlockwise", "clockwise"},
-             {.title = "Turning", .help = "Of an arc given by its two points."});
+             {.title = "Turning", .help = "Of an arc given by its two points.", .when = "kind in arc, circle"});
     d.choice("role", &CurveParams::role, {"boundary", "hole", "internal"},
              {.title = "Role", .help = "Loops inside loops are holes by themselves; role = \"hole\" insists on it."});
     d.field("segments", &CurveParams::segments,
@@ -101,9 +110,10 @@ struct CrackParams {
              .help = "In order from start to end; an end on the boundary or on another crack opens there.",
              .unit = "m",
              .presence = dobra::scenario::Presence::Required});
-    d.field("centre", &CrackParams::centre, {.title = "Centre", .help = "Of an arc.", .unit = "m"});
+    d.field("centre", &CrackParams::centre,
+            {.title = "Centre", .help = "Of an arc.", .unit = "m", .when = "kind = arc"});
     d.choice("turning", &CrackParams::turning, {"anticlockwise", "clockwise"},
-             {.title = "Turning", .help = "Of an arc."});
+             {.title = "Turning", .help = "Of an arc.", .when = "kind = arc"});
     d.field("segments", &CrackParams::segments,
             {.title = "Segments",
              .help = "Number of element sides along each lip; 0 leaves it to the sizes.",
@@ -179,23 +189,45 @@ struct InputParams : sketch::LineInput {
   static void describe(D& d) {
     d.choice("specimen", &InputParams::specimen, sketch::specimen_names(),
              {.title = "Specimen", .help = "Of the library, with the six sizes below; see docs/user/specimens.md."});
-    d.field("width", &InputParams::width, {.title = "Width", .help = "Of the specimen.", .unit = "m", .above = 0});
-    d.field("height", &InputParams::height, {.title = "Height", .help = "Of the specimen.", .unit = "m", .above = 0});
+    d.field("width", &InputParams::width,
+            {.title = "Width",
+             .help = "Of the specimen.",
+             .unit = "m",
+             .above = 0,
+             .when = "specimen in plate_with_hole, quarter_plate, l_shape, cook, compact_tension, single_edge_notch, "
+                     "double_edge_notch, three_point_bend, double_cantilever, centre_crack"});
+    d.field("height", &InputParams::height,
+            {.title = "Height",
+             .help = "Of the specimen.",
+             .unit = "m",
+             .above = 0,
+             .when = "specimen in plate_with_hole, quarter_plate, single_edge_notch, double_edge_notch, "
+                     "three_point_bend, double_cantilever, centre_crack"});
     d.field("radius", &InputParams::radius,
-            {.title = "Radius", .help = "Of its hole or disc.", .unit = "m", .above = 0});
+            {.title = "Radius",
+             .help = "Of its hole or disc.",
+             .unit = "m",
+             .above = 0,
+             .when = "specimen in plate_with_hole, quarter_plate, brazilian_disc"});
     d.field("crack_length", &InputParams::crack,
             {.title = "Crack length",
              .help = "As its handbook formula has it: a whole edge crack, half a centre crack.",
              .unit = "m",
-             .at_least = 0});
+             .at_least = 0,
+             .when = "specimen in compact_tension, single_edge_notch, double_edge_notch, three_point_bend, "
+                     "double_cantilever, centre_crack, pmma_beam, brazilian_disc"});
     d.field("position", &InputParams::position,
-            {.title = "Position", .help = "Of the notch of pmma_beam, from the middle.", .unit = "m"});
+            {.title = "Position",
+             .help = "Of the notch of pmma_beam, from the middle.",
+             .unit = "m",
+             .when = "specimen = pmma_beam"});
     d.field("angle", &InputParams::angle,
             {.title = "Crack angle",
              .help = "Of a centre crack, anticlockwise from +x.",
              .unit = "deg",
              .at_least = -180,
-             .at_most = 180});
+             .at_most = 180,
+             .when = "specimen in centre_crack, brazilian_disc"});
     d.file("file", &InputParams::file,
            {.title = "File",
             .help = "Geometry as a drawing or as lines, or a mesh whose boundary is meant.",
@@ -218,7 +250,8 @@ struct InputParams : sketch::LineInput {
          .help =
              "That repair closes between ends of curves; 1/1000 of the drawing's diagonal by default, 1/10 at most.",
          .unit = "m",
-         .above = 0});
+         .above = 0,
+         .when = "repair = yes"});
     d.tables("curve", &InputParams::curves,
              {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
     d.tables("crack", &InputParams::cracks,

@@ -86,6 +86,55 @@ scenario::Operation problem_operation() {
   return operation;
 }
 
+void add_once(const std::string& name, std::vector<std::string>& names) {
+  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// "curve": curves and cracks; "place": what a support or a load may stand on; "region"; "point".
+std::vector<std::string> names_in(const domain::Domain& domain, const std::string& what) {
+  std::vector<std::string> names;
+  for (const sketch::Curve& curve : domain.curves) {
+    const bool crack = curve.role == sketch::Role::Crack;
+    if (what == "curve" || (what == "place" && !crack)) add_once(curve.name, names);
+    for (const char* const side : {"_left", "_right", "_start", "_end"}) {
+      if (what == "place" && crack) add_once(curve.name + side, names);
+    }
+  }
+  for (const sketch::NamedPoint& point : domain.points) {
+    if (what == "point" || what == "place") add_once(point.name, names);
+  }
+  for (const auto& [tag, name] : domain.region_names) {
+    if (what == "region") add_once(name, names);
+  }
+  return names;
+}
+
+/// A crack stands for the lip or the end that is nearest, where a place is meant.
+std::string name_at(const domain::Domain& domain, const std::string& what,
+                    const std::optional<dobra::scene::Pick>& line, geom::Point at) {
+  if (what == "point" || what == "place") {
+    const double reach = 0.01 * domain.box().diagonal();
+    const sketch::NamedPoint* nearest = nullptr;
+    for (const sketch::NamedPoint& point : domain.points) {
+      const double distance = geom::distance(point.at, at);
+      if (!point.name.empty() && distance <= reach && (!nearest || distance < geom::distance(nearest->at, at)))
+        nearest = &point;
+    }
+    if (nearest != nullptr) return nearest->name;
+  }
+  const bool drawn = line && (line->layer == "boundary" || line->layer == "internal" || line->layer == "cracks");
+  if (!drawn || line->id >= domain.curves.size() || (what != "curve" && what != "place")) return {};
+  const sketch::Curve& curve = domain.curves[line->id];
+  if (what == "curve" || curve.role != sketch::Role::Crack) return curve.name;
+  const geom::Polyline trace = sketch::trace(curve).line;
+  std::size_t segment = 0;
+  for (std::size_t i = 1; i < trace.segment_count(); ++i) {
+    if (geom::distance(trace.segment(i), at) < geom::distance(trace.segment(segment), at)) segment = i;
+  }
+  const geom::Segment side = trace.segment(segment);
+  return curve.name + (cross(side.vector(), at - side.from) >= 0.0 ? "_left" : "_right");
+}
+
 bool mesher_at_work(const scenario::State& state) { return scenario::model_of<model::Model>(state).work != nullptr; }
 
 scenario::Operation mesh_operation() {
@@ -153,6 +202,13 @@ scenario::Program make_program() {
   };
   program.drawing = drawing();
   program.units_of = units_of;
+  program.names_of = [](const scenario::State& state, const std::string& what) {
+    return names_in(scenario::model_of<model::Model>(state).domain, what);
+  };
+  program.name_at = [](const scenario::State& state, const std::string& what,
+                       const std::optional<dobra::scene::Pick>& line, geom::Point at) {
+    return name_at(scenario::model_of<model::Model>(state).domain, what, line, at);
+  };
   program.results = scenario::make_results<model::Model>({
       .quantities = add_quantities,
       .tables = add_finding_tables,

@@ -36,14 +36,14 @@ struct ViewParams {
          .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.",
          .at_least = 0});
     d.field("contours", &ViewParams::contours,
-            {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
+            {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100, .when = "field != error"});
     d.choice("range", &ViewParams::range, {"field", "full"},
              {.title = "Range of colours",
               .help = "field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the "
                       "least to the greatest value."});
     d.choice("mesh", &ViewParams::mesh, {"yes", "no"}, {.title = "Mesh"});
     d.choice("extremes", &ViewParams::extremes, {"yes", "no"},
-             {.title = "Extremes", .help = "Marks the greatest and the least value."});
+             {.title = "Extremes", .help = "Marks the greatest and the least value.", .when = "field != error"});
   }
 };
 

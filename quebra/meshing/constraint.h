@@ -27,6 +27,7 @@ struct ConstraintParams {
     d.field("curves", &ConstraintParams::curves,
             {.title = "Base curves",
              .help = "Names of one curve, or of curves that follow each other.",
+             .names = "curve",
              .presence = dobra::scenario::Presence::Required});
     d.field("count", &ConstraintParams::count, {.title = "Number of curves", .at_least = 1, .at_most = 1000});
     d.field("distance", &ConstraintParams::distance,
@@ -41,7 +42,10 @@ struct ConstraintParams {
              {.title = "Nodes",
               .help = "ring: as far apart as the curve is from its neighbours; base: as the divided base has them."});
     d.field("spacing_factor", &ConstraintParams::spacing_factor,
-            {.title = "Node spacing", .help = "Multiplies the distance of the nodes (ring).", .above = 0});
+            {.title = "Node spacing",
+             .help = "Multiplies the distance of the nodes (ring).",
+             .above = 0,
+             .when = "spacing = ring"});
   }
 };
 

@@ -20,6 +20,7 @@ struct HalfCrackParams {
             {.title = "Lip",
              .help = "Curve of the boundary; its tips are NAME_start and NAME_end where the boundary goes straight on. "
                      "Give what lies ahead a support with normal = 0.",
+             .names = "curve",
              .presence = dobra::scenario::Presence::Required});
   }
 };

@@ -50,7 +50,8 @@ struct MeshRules {
     d.field("background_field", of<P>(&MeshRules::background_field),
             {.title = "Background field",
              .help = "Name of the field at the points of a VTK mesh that holds sizes in m; empty: the sizes of the "
-                     "elements."});
+                     "elements.",
+             .when = "background is set"});
     d.choice(
         "division", of<P>(&MeshRules::division), {"even", "halving"},
         {.title = "Division of curves",
@@ -86,14 +87,16 @@ struct MeshRules {
              {.title = "Rosettes",
               .help = "Quarter-point elements round each crack tip; needs order 2. A loop makes them smaller if they "
                       "hold too much of the error."});
-    d.field("sectors", of<P>(&MeshRules::sectors),
-            {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360});
+    d.field(
+        "sectors", of<P>(&MeshRules::sectors),
+        {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360, .when = "rosettes = yes"});
     d.field("tip_radius", of<P>(&MeshRules::tip_radius),
             {.title = "Tip elements",
              .help = "Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room "
                      "round the tip: straight end of the crack, ligament, other tips, named points.",
              .unit = "m",
-             .at_least = 0});
+             .at_least = 0,
+             .when = "rosettes = yes"});
   }
 
  private:

@@ -20,7 +20,9 @@ struct ZoneParams {
   template <class D>
   static void describe(D& d) {
     d.field("curves", &ZoneParams::curves,
-            {.title = "Curves", .help = "Names of curves and cracks round which the elements are to be small."});
+            {.title = "Curves",
+             .help = "Names of curves and cracks round which the elements are to be small.",
+             .names = "curve"});
     d.field("points", &ZoneParams::points,
             {.title = "Points", .help = "A line of one's own, or a single point.", .unit = "m"});
     d.field("size", &ZoneParams::size,

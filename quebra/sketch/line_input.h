@@ -14,8 +14,9 @@ struct LineInput : dobra::scenario::lines::LineReading {
   static void describe_in(D& d) {
     d.choice("closed", static_cast<OpenLines P::*>(&LineInput::closed), {"no", "yes"},
              {.title = "Closed",
-              .help = "yes: every line of the file is an outline, whose last point need not repeat the first."});
-    LineReading::describe_in<P>(d);
+              .help = "yes: every line of the file is an outline, whose last point need not repeat the first.",
+              .when = "file is set"});
+    LineReading::describe_in<P>(d, "file is set");
   }
   bool operator==(const LineInput&) const = default;
 };

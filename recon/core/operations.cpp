@@ -150,6 +150,10 @@ scenario::Program make_program() {
   recon.names_of = [](const scenario::State& state, const std::string& what) {
     return names_of(scenario::model_of<model::Model>(state), what);
   };
+  recon.name_at = [](const scenario::State& state, const std::string& what,
+                     const std::optional<dobra::scene::Pick>& line, dobra::geom::Point at) {
+    return model::name_at(scenario::model_of<model::Model>(state), what, line, at);
+  };
   recon.drawing = drawing();
   return recon;
 }

@@ -76,13 +76,14 @@ struct HorizonInput {
     d.field("points", keys.of(&Input::points),
             {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
     d.field("feature", keys.of(&Input::feature),
-            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+            {.title = "Feature", .help = "Name of the line in a file that holds several.", .when = "file is set"});
     d.choice("role", keys.of(&Input::role), {"judged", "growth"},
              {.title = "Role in the balance",
               .help = "growth: a horizon laid down while the section deformed; it is listed, not judged."});
     d.field("columns", keys.of(&Input::columns),
             {.title = "Columns of x and y",
-             .help = "In a text file, counted from 1; three for map coordinates with heights."});
+             .help = "In a text file, counted from 1; three for map coordinates with heights.",
+             .when = "file is set"});
     describe_reading(keys, order);
     d.choice(
         "curve", keys.of(&Input::curve), {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
@@ -90,9 +91,13 @@ struct HorizonInput {
          .help = "What the points mean: line, corners; hermite, points with tangents; spline, natural through the "
                  "points (closed if the last repeats the first); bezier, rational_bezier and b_spline, vertices."});
     d.field("tangents", keys.of(&Input::tangents),
-            {.title = "Tangents", .help = "Of curve = \"hermite\", one a point: derivatives along a piece."});
+            {.title = "Tangents",
+             .help = "Of curve = \"hermite\", one a point: derivatives along a piece.",
+             .when = "curve = hermite"});
     d.field("weights", keys.of(&Input::weights),
-            {.title = "Weights", .help = "Of curve = \"rational_bezier\", one a point, above 0."});
+            {.title = "Weights",
+             .help = "Of curve = \"rational_bezier\", one a point, above 0.",
+             .when = "curve = rational_bezier"});
   }
 };
 

@@ -49,39 +49,48 @@ struct InvertParams {
     d.field("tip_x", &InvertParams::tip_x,
             {.title = "Tip x",
              .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",
-             .unit = "m"});
+             .unit = "m",
+             .when = "method = trishear"});
     d.field("tip_z", &InvertParams::tip_z,
             {.title = "Tip z",
              .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",
-             .unit = "m"});
+             .unit = "m",
+             .when = "method = trishear"});
     d.field("ramp", &InvertParams::ramp,
             {.title = "Ramp",
              .help = "Of trishear: direction in which the tip goes, anticlockwise from +x; one number or limits.",
              .unit = "deg",
              .at_least = -180.0,
-             .at_most = 180.0});
+             .at_most = 180.0,
+             .when = "method = trishear"});
     d.field("propagation", &InvertParams::propagation,
             {.title = "P/S",
              .help = "Of trishear: how far the tip goes a metre of slip; one number or limits.",
-             .at_least = 0.0});
+             .at_least = 0.0,
+             .when = "method = trishear"});
     d.field("apical", &InvertParams::apical,
             {.title = "Apical angle",
              .help = "Of trishear: the full angle of the triangle; one number or limits.",
              .unit = "deg",
              .above = 0.0,
-             .at_most = 179.0});
+             .at_most = 179.0,
+             .when = "method = trishear"});
     d.field("slip", &InvertParams::slip,
             {.title = "Slip",
              .help = "That made the fold, along the fault; positive raised the hanging wall. One number or limits.",
              .unit = "m"});
     d.field("concentration", &InvertParams::concentration,
-            {.title = "Concentration", .help = "Of trishear: one number or limits; by default 1.", .above = 0.0});
+            {.title = "Concentration",
+             .help = "Of trishear: one number or limits; by default 1.",
+             .above = 0.0,
+             .when = "method = trishear"});
     d.field("angle", &InvertParams::angle,
             {.title = "Angle",
              .help = "Of shear: its direction from the vertical, positive leaning to +x; one number or limits.",
              .unit = "deg",
              .at_least = -89.0,
-             .at_most = 89.0});
+             .at_most = 89.0,
+             .when = "method = shear"});
     d.field("bedding", &InvertParams::bedding,
             {.title = "Bedding",
              .help = "Direction that restored beds have, anticlockwise from +x; by default each bed has its own.",
@@ -100,7 +109,11 @@ struct InvertParams {
             {.title = "Map of the misfit",
              .help = "Two of the values that are sought, one after the other, such as propagation and apical."});
     d.field("map_points", &InvertParams::map_points,
-            {.title = "Points of the map", .help = "Along each side.", .at_least = 3, .at_most = 200});
+            {.title = "Points of the map",
+             .help = "Along each side.",
+             .at_least = 3,
+             .at_most = 200,
+             .when = "map is set"});
     d.field("seed", &InvertParams::seed, {.title = "Seed", .help = "Of the search.", .at_least = 0});
     d.field("generations", &InvertParams::generations,
             {.title = "Generations", .help = "Of the search, at the most.", .at_least = 1, .at_most = 10000});

@@ -30,13 +30,14 @@ struct CarryParams {
             .help = "In any format of lines, like a horizon's.",
             .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
     d.field("feature", &CarryParams::feature,
-            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+            {.title = "Feature", .help = "Name of the line in a file that holds several.", .when = "file is set"});
     d.field("points", &CarryParams::points,
             {.title = "Points",
              .help = "Instead of a file: one point, a line, or a polygon whose last point repeats the first.",
              .unit = "m"});
-    d.choice("as", &CarryParams::as, {"line", "points"},
-             {.title = "Taken as", .help = "line: joined in their order; points: each by itself."});
+    d.choice(
+        "as", &CarryParams::as, {"line", "points"},
+        {.title = "Taken as", .help = "line: joined in their order; points: each by itself.", .when = "points is set"});
     d.field("from", &CarryParams::from,
             {.title = "From state",
              .help = "0 is the input, k the section after k restorations and moves.",

@@ -64,14 +64,20 @@ struct MoveParams {
     d.field("block", &MoveParams::block,
             {.title = "Blocks",
              .help = "That move, or groups of them; by default all of the hanging wall.",
-             .names = "block"});
+             .names = "block",
+             .when = "method in rigid, shear, fault_parallel_flow, fault_bend_fold, flexural_slip"});
     d.field("angle", &MoveParams::angle,
             {.title = "Angle",
              .help = "Of shear: its direction from the vertical, positive leaning to +x; rigid: anticlockwise turn.",
              .unit = "deg",
              .at_least = -180.0,
-             .at_most = 180.0});
-    d.field("pivot", &MoveParams::pivot, {.title = "Pivot", .help = "About which a rigid block turns.", .unit = "m"});
+             .at_most = 180.0,
+             .when = "method in rigid, shear"});
+    d.field("pivot", &MoveParams::pivot,
+            {.title = "Pivot",
+             .help = "About which a rigid block turns.",
+             .unit = "m",
+             .when = "method = rigid and angle is set"});
     describe_folds(d);
     d.choice("towards", &MoveParams::towards, {"auto", "x", "-x"},
              {.title = "Up along the fault",
@@ -108,7 +114,8 @@ struct MoveParams {
     d.field("at", &MoveParams::at,
             {.title = "Measured at",
              .help = "Horizon at whose cutoff in the hanging wall the slip is measured; by default the uppermost.",
-             .names = "horizon"});
+             .names = "horizon",
+             .when = "method in shear, fault_parallel_flow, flexural_slip"});
   }
   template <class D>
   static void describe_folds(D& d) {
@@ -117,30 +124,38 @@ struct MoveParams {
              .help = "Of trishear: the full angle of the triangle.",
              .unit = "deg",
              .above = 0.0,
-             .at_most = 179.0});
+             .at_most = 179.0,
+             .when = "method = trishear"});
     d.field("propagation", &MoveParams::propagation,
-            {.title = "P/S", .help = "Of trishear: how far the tip goes a metre of slip.", .at_least = 0.0});
+            {.title = "P/S",
+             .help = "Of trishear: how far the tip goes a metre of slip.",
+             .at_least = 0.0,
+             .when = "method = trishear"});
     d.field("concentration", &MoveParams::concentration,
             {.title = "Concentration",
              .help = "Of trishear: 1 shears evenly, more gathers strain in the middle of the triangle.",
-             .above = 0.0});
+             .above = 0.0,
+             .when = "method = trishear"});
     d.field("ramp", &MoveParams::ramp,
             {.title = "Ramp angle",
              .help = "Of a fault-propagation fold whose fault has its flat alone yet.",
              .unit = "deg",
              .above = 0.0,
-             .at_most = 60.0});
+             .at_most = 60.0,
+             .when = "method = fault_propagation_fold"});
     d.field("bedding", &MoveParams::bedding,
             {.title = "Bedding",
              .help = "Of a fault-bend fold: direction of the undeformed beds; by default along the lowest segment.",
              .unit = "deg",
              .at_least = -90.0,
-             .at_most = 90.0});
+             .at_most = 90.0,
+             .when = "method = fault_bend_fold"});
     d.field("slip_before", &MoveParams::slip_before,
             {.title = "Slip before",
              .help = "Of a fault-bend fold: slip that the fault had at the earlier of the two states.",
              .unit = "m",
-             .at_least = 0.0});
+             .at_least = 0.0,
+             .when = "method = fault_bend_fold"});
   }
 };
 

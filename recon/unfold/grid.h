@@ -74,7 +74,8 @@ struct GridParams {
             {.title = "Beyond the top at most",
              .help = "So much of the top's width goes without saying: traces of one section seldom end at one line.",
              .unit = "%",
-             .at_least = 0.0});
+             .at_least = 0.0,
+             .when = "uncovered = refuse"});
     d.choice("from", &GridParams::from, {"current", "input"},
              {.title = "Stands on",
               .help = "current: the section as the steps before leave it; input: as it was read, which begins anew."});

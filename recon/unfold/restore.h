@@ -38,14 +38,19 @@ struct RestoreParams {
              .help = "From the vertical, positive towards +x upwards; 0 is vertical shear.",
              .unit = "deg",
              .above = -90.0,
-             .at_most = 89.999});
+             .at_most = 89.999,
+             .when = "method = shear"});
     d.field("base", &RestoreParams::base,
-            {.title = "Base horizon", .help = "Of proportional thickness; by default the farthest from the top."});
+            {.title = "Base horizon",
+             .help = "Of proportional thickness; by default the farthest from the top.",
+             .names = "horizon",
+             .when = "method = proportional"});
     d.field("thickness", &RestoreParams::thickness,
             {.title = "Restored thickness",
              .help = "Of proportional thickness; by default such that the area stays.",
              .unit = "m",
-             .above = 0.0});
+             .above = 0.0,
+             .when = "method = proportional"});
     d.field("percent", &RestoreParams::percent,
             {.title = "State",
              .help = "0: deformed, 100: restored; between: on the way.",
@@ -58,7 +63,8 @@ struct RestoreParams {
                       "leaves its limits; nearest: without limits; refuse: an error with the place."});
     d.choice("beds", &RestoreParams::beds, {"horizons", "parallel"},
              {.title = "Surfaces of slip",
-              .help = "Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas."});
+              .help = "Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas.",
+              .when = "method = flexural"});
     d.choice("crossings", &RestoreParams::crossings, {"refuse", "allow"},
              {.title = "Horizons that cross", .help = section::crossings_help});
     d.field("tolerance", &RestoreParams::tolerance,

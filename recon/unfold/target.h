@@ -36,28 +36,42 @@ struct TargetParams {
          .help = "flat: a horizontal datum; line: the points or the file; horizon: another horizon's line; regional: "
                  "the straight line that fits a horizon best; datum: one of the section's [[input.datum]]."});
     d.field("elevation", &TargetParams::elevation,
-            {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
+            {.title = "Elevation of the datum",
+             .help = "By default that of the top at the pin.",
+             .unit = "m",
+             .names = "z",
+             .when = "shape = flat"});
     d.field("pin", &TargetParams::pin,
             {.title = "x of the pin",
              .help = "Where the top is held; by default the leftmost place where all horizons are.",
-             .unit = "m"});
+             .unit = "m",
+             .names = "x"});
     d.field("target_pin", &TargetParams::target_pin,
             {.title = "Pin on the target",
              .help = "The point to which the pin goes; by default the one with the same x.",
              .unit = "m"});
-    d.field("points", &TargetParams::points, {.title = "Points of the line", .unit = "m"});
+    d.field("points", &TargetParams::points, {.title = "Points of the line", .unit = "m", .when = "shape = line"});
     d.file("file", &TargetParams::file,
            {.title = "File of the line",
             .help = "In any format of lines, like a horizon's.",
-            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines}),
+            .when = "shape = line"});
     d.field("feature", &TargetParams::feature,
-            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+            {.title = "Feature",
+             .help = "Name of the line in a file that holds several.",
+             .when = "shape = line and file is set"});
     d.field("horizon", &TargetParams::horizon,
-            {.title = "Horizon of the target", .help = "For horizon and regional; regional: by default the top."});
-    d.field("datum", &TargetParams::datum, {.title = "Datum", .help = "Its name; by default the only one."});
-    d.choice(
-        "direction", &TargetParams::direction, {"left_to_right", "as_given"},
-        {.title = "Direction of the line", .help = "as_given: its first point goes with the left end of the top."});
+            {.title = "Horizon of the target",
+             .help = "For horizon and regional; regional: by default the top.",
+             .names = "horizon",
+             .when = "shape in horizon, regional"});
+    d.field(
+        "datum", &TargetParams::datum,
+        {.title = "Datum", .help = "Its name; by default the only one.", .names = "datum", .when = "shape = datum"});
+    d.choice("direction", &TargetParams::direction, {"left_to_right", "as_given"},
+             {.title = "Direction of the line",
+              .help = "as_given: its first point goes with the left end of the top.",
+              .when = "shape != flat"});
   }
 };
 

@@ -3350,14 +3350,6 @@
         <translation>Clique em pontos: comprimento e mergulho de cada trecho e, a partir do terceiro ponto, a área</translation>
     </message>
     <message>
-        <source>{:.6g} m in all, area {:.6g} m²</source>
-        <translation>{:.6g} m no total, área {:.6g} m²</translation>
-    </message>
-    <message>
-        <source>{:.6g} m, dip {:.1f}°</source>
-        <translation>{:.6g} m, mergulho {:.1f}°</translation>
-    </message>
-    <message>
         <source>A closed line needs three points that do not lie in line</source>
         <translation>Uma linha fechada precisa de três pontos não alinhados</translation>
     </message>
@@ -3766,6 +3758,434 @@
     <message>
         <source>Such as #1a2b3c; by default the usual ones, one after the other.</source>
         <translation>Como #1a2b3c; por padrão as usuais, uma depois da outra.</translation>
+    </message>
+    <message>
+        <source>Drag to move the view; the wheel zooms; Escape goes back to Select</source>
+        <translation>Arraste para mover a vista; a roda amplia; Escape volta a Selecionar</translation>
+    </message>
+    <message>
+        <source>Drag a box round what is to be seen; a click zooms in, with Shift out; Escape goes back</source>
+        <translation>Arraste uma caixa em volta do que se quer ver; um clique aproxima, com Shift afasta; Escape volta</translation>
+    </message>
+    <message>
+        <source>{:.6g} {} in all, area {:.6g} {}²</source>
+        <translation>{:.6g} {} no total, área {:.6g} {}²</translation>
+    </message>
+    <message>
+        <source>{:.6g} {}, dip {:.1f}°</source>
+        <translation>{:.6g} {}, mergulho {:.1f}°</translation>
+    </message>
+    <message>
+        <source>line {} of the clipboard, '{}', is no pair of numbers x and z</source>
+        <translation>a linha {} da área de transferência, '{}', não é um par de números x e z</translation>
+    </message>
+    <message>
+        <source>the clipboard holds no points: a pair of numbers x and z on each line</source>
+        <translation>a área de transferência não contém pontos: um par de números x e z em cada linha</translation>
+    </message>
+    <message>
+        <source>{} lines</source>
+        <translation>{} linhas</translation>
+    </message>
+    <message>
+        <source>{}: {:.6g} {}, {} vertices</source>
+        <translation>{}: {:.6g} {}, {} vértices</translation>
+    </message>
+    <message>
+        <source>dip {:.1f}°</source>
+        <translation>mergulho {:.1f}°</translation>
+    </message>
+    <message>
+        <source>A vertical exaggeration is a number from 0.01 to 10000, such as 5</source>
+        <translation>O exagero vertical é um número de 0.01 a 10000, como 5</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Exagero vertical</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration of the view; type any number</source>
+        <translation>Exagero vertical da vista; digite qualquer número</translation>
+    </message>
+    <message>
+        <source>VE %1</source>
+        <translation>EV %1</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Preencher</translation>
+    </message>
+    <message>
+        <source>Previous view</source>
+        <translation>Vista anterior</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>Próxima vista</translation>
+    </message>
+    <message>
+        <source>Zoom to the selection</source>
+        <translation>Ampliar a seleção</translation>
+    </message>
+    <message>
+        <source>Fill the canvas</source>
+        <translation>Preencher a tela</translation>
+    </message>
+    <message>
+        <source>Other...</source>
+        <translation>Outro...</translation>
+    </message>
+    <message>
+        <source>Arrange panels</source>
+        <translation>Dispor os painéis</translation>
+    </message>
+    <message>
+        <source>As they are largest</source>
+        <translation>Como ficam maiores</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>One above the other</source>
+        <translation>Um sobre o outro</translation>
+    </message>
+    <message>
+        <source>Input as a ghost under the result</source>
+        <translation>Entrada como fantasma sob o resultado</translation>
+    </message>
+    <message>
+        <source>Panels move together</source>
+        <translation>Os painéis movem-se juntos</translation>
+    </message>
+    <message>
+        <source>Units of the axes</source>
+        <translation>Unidades dos eixos</translation>
+    </message>
+    <message>
+        <source>Those of the document</source>
+        <translation>As do documento</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metros</translation>
+    </message>
+    <message>
+        <source>Kilometres</source>
+        <translation>Quilômetros</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pés</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legenda</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Usual</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Compacta</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nenhuma</translation>
+    </message>
+    <message>
+        <source>Rename...</source>
+        <translation>Renomear...</translation>
+    </message>
+    <message>
+        <source>Kind...</source>
+        <translation>Tipo...</translation>
+    </message>
+    <message>
+        <source>Insert vertex here</source>
+        <translation>Inserir vértice aqui</translation>
+    </message>
+    <message>
+        <source>Split here</source>
+        <translation>Dividir aqui</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Excluir</translation>
+        <source>row %1: '%2' is not a number</source>
+        <translation>linha %1: '%2' não é um número</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 numbers; copy two columns, x and z</source>
+        <translation>a linha %1 tem %2 números; copie duas colunas, x e z</translation>
+    </message>
+    <message>
+        <source>there are no rows of two numbers to paste</source>
+        <translation>não há linhas de dois números para colar</translation>
+    </message>
+    <message>
+        <source>'%1' is not a number</source>
+        <translation>'%1' não é um número</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Inserir</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Colar</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Zoom to it</source>
+        <translation>Ampliar</translation>
+    </message>
+    <message>
+        <source>Hide its layer</source>
+        <translation>Ocultar a camada</translation>
+    </message>
+    <message>
+        <source>Copied %1 lines; Ctrl+V draws them in any window, and a spreadsheet takes them.</source>
+        <translation>%1 linhas copiadas; Ctrl+V as desenha em qualquer janela, e uma planilha as aceita.</translation>
+    </message>
+    <message>
+        <source>Cut lines</source>
+        <translation>Recortar linhas</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Mão</translation>
+    </message>
+    <message>
+        <source>Zoom to a box</source>
+        <translation>Ampliar uma caixa</translation>
+    </message>
+    <message>
+        <source>Snap to the grid</source>
+        <translation>Atrair à grade</translation>
+    </message>
+    <message>
+        <source>This cannot be drawn here: the document has no place for it.</source>
+        <translation>Isto não pode ser desenhado aqui: o documento não tem lugar para isso.</translation>
+    </message>
+    <message>
+        <source>Rename '%1'</source>
+        <translation>Renomear '%1'</translation>
+    </message>
+    <message>
+        <source>Name and kind</source>
+        <translation>Nome e tipo</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Alterar</translation>
+    </message>
+    <message>
+        <source>the document holds no such line</source>
+        <translation>o documento não contém essa linha</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t lines</source>
+        <translation>Recor&amp;tar linhas</translation>
+    </message>
+    <message>
+        <source>&amp;Copy lines as text</source>
+        <translation>&amp;Copiar linhas como texto</translation>
+    </message>
+    <message>
+        <source>&amp;Paste lines</source>
+        <translation>Co&amp;lar linhas</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Selecionar &amp;tudo</translation>
+    </message>
+    <message>
+        <source>&amp;Invert the selection</source>
+        <translation>&amp;Inverter a seleção</translation>
+        <source>Type what you want to do</source>
+        <translation>Digite o que quer fazer</translation>
+    </message>
+    <message>
+        <source>What can be done</source>
+        <translation>O que pode ser feito</translation>
+    </message>
+    <message>
+        <source>Cannot be done now</source>
+        <translation>Não pode ser feito agora</translation>
+    </message>
+    <message>
+        <source>Add &amp;step</source>
+        <translation>Acrescentar &amp;etapa</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Painéis</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action...</source>
+        <translation>&amp;Procurar uma ação...</translation>
+    </message>
+    <message>
+        <source>Lists all that can be done, filtered by what you type</source>
+        <translation>Lista tudo o que pode ser feito, filtrado pelo que se digita</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>&amp;Teclas...</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Ação</translation>
+    </message>
+    <message>
+        <source>In the menu</source>
+        <translation>No menu</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir a %1</translation>
+    </message>
+    <message>
+        <source>Hide layer &apos;%1&apos;</source>
+        <translation>Ocultar a camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Show layer &apos;%1&apos;</source>
+        <translation>Mostrar a camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message>
+        <source>no action &apos;%1&apos;</source>
+        <translation>não há ação &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be done now</source>
+        <translation>&apos;%1&apos; não pode ser feito agora</translation>
+    </message>
+    <message>
+        <source>Snap to vertices, crossings and lines; not while Alt is held</source>
+        <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
+    </message>
+    <message>
+        <source>Copy step as scenario te&amp;xt</source>
+        <translation>Copiar a etapa como te&amp;xto de cenário</translation>
+    </message>
+    <message>
+        <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
+        <translation>A etapa selecionada, ou a entrada, como um cenário a escreve, na área de transferência</translation>
+    </message>
+    <message>
+        <source>&amp;Paste scenario text as steps</source>
+        <translation>&amp;Colar texto de cenário como etapas</translation>
+    </message>
+    <message>
+        <source>Inserts the steps on the clipboard behind the selected one</source>
+        <translation>Insere as etapas da área de transferência depois da selecionada</translation>
+    </message>
+    <message>
+        <source>Copy as co&amp;mmand</source>
+        <translation>Copiar como co&amp;mando</translation>
+    </message>
+    <message>
+        <source>The command line that does what the window shows, on the clipboard</source>
+        <translation>A linha de comando que faz o que a janela mostra, na área de transferência</translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation>Copiado: %1</translation>
+    </message>
+    <message>
+        <source>Paste step</source>
+        <translation>Colar etapa</translation>
+    </message>
+    <message>
+        <source>the clipboard holds no step; copy text that begins with [[step]]</source>
+        <translation>a área de transferência não contém etapa; copie um texto que comece com [[step]]</translation>
+    </message>
+    <message>
+        <source>the clipboard&apos;s numbers are in other units than those of this document; give both the same unit_system</source>
+        <translation>os números da área de transferência estão em outras unidades que os deste documento; dê o mesmo unit_system a ambos</translation>
+    </message>
+    <message>
+        <source>Not all changes of the window are in the file: save it before you run this.</source>
+        <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
+        <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
+        <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
+        <source>Delete</source>
+        <translation>Apagar</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 linhas</translation>
+    </message>
+    <message>
+        <source>No line is selected</source>
+        <translation>Nenhuma linha está selecionada</translation>
+    </message>
+    <message>
+        <source>Select the rows that are to go.</source>
+        <translation>Selecione as linhas que devem sair.</translation>
+    </message>
+    <message>
+        <source>Paste vertices</source>
+        <translation>Colar vértices</translation>
+    </message>
+    <message>
+        <source>Point at it on the canvas</source>
+        <translation>Apontar no desenho</translation>
+    </message>
+    <message>
+        <source>Has no effect without '%1'.</source>
+        <translation>Não tem efeito sem '%1'.</translation>
+    </message>
+    <message>
+        <source>Has no effect with '%1': %2.</source>
+        <translation>Não tem efeito com '%1': %2.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sim</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>não</translation>
+    </message>
+    <message>
+        <source>Click the line for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique na linha para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>Click the place for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique no lugar para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>This is nothing for '%1': click another line, or press Escape.</source>
+        <translation>Isto não serve para '%1': clique em outra linha ou tecle Escape.</translation>
+    </message>
+    <message>
+        <source>(at %1, %2)</source>
+        <translation>(em %1, %2)</translation>
     </message>
 </context>
 </TS>

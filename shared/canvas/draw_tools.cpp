@@ -77,12 +77,12 @@ class DrawTool final : public PointsTool {
     if (const auto shape = made()) say(*shape);
     points_.clear();
   }
-  [[nodiscard]] Overlay overlay(const Workspace&) const override {
+  [[nodiscard]] Overlay overlay(const Workspace& work) const override {
     Overlay overlay;
     if (points_.empty()) return overlay;
     overlay.lines = {shape_with(cursor_)};
     overlay.handles = points_;
-    overlay.texts = {{cursor_, measure_text(points_.back(), cursor_)}};
+    overlay.texts = {{cursor_, measure_text(points_.back(), cursor_, work.unit)}};
     return overlay;
   }
 
@@ -131,18 +131,20 @@ class MeasureTool final : public PointsTool {
   }
   void double_click(Workspace&, const Pointer&) override { ended_ = true; }
   [[nodiscard]] bool unfinished() const override { return !points_.empty() && !ended_; }
-  [[nodiscard]] Overlay overlay(const Workspace&) const override {
+  [[nodiscard]] Overlay overlay(const Workspace& work) const override {
     Overlay overlay;
     if (points_.empty()) return overlay;
     Polyline way{points_, false};
     if (way.points.back() != cursor_) way.points.push_back(cursor_);
     overlay.handles = way.points;
     if (way.points.size() < 2) return overlay;
-    std::string told = measure_text(way.points[way.points.size() - 2], way.points.back());
+    std::string told = measure_text(way.points[way.points.size() - 2], way.points.back(), work.unit);
     if (way.points.size() > 2) {
       const Polyline ring{way.points, true};
-      told += "\n" + fmt::format(fmt::runtime(translated("{:.6g} m in all, area {:.6g} m²")), geom::length(way),
-                                 std::abs(geom::signed_area(ring)));
+      const LengthUnit& unit = work.unit;
+      told += "\n" + fmt::format(fmt::runtime(translated("{:.6g} {} in all, area {:.6g} {}²")),
+                                 geom::length(way) / unit.size, unit.name,
+                                 std::abs(geom::signed_area(ring)) / unit.size / unit.size, unit.name);
     }
     overlay.texts = {{way.points.back(), with_decimal_mark(told)}};
     overlay.lines = {std::move(way)};
@@ -157,12 +159,13 @@ class MeasureTool final : public PointsTool {
 
 }  // namespace
 
-std::string measure_text(Point from, Point to) {
+std::string measure_text(Point from, Point to, const LengthUnit& unit) {
   const geom::Vector way = to - from;
   const double length = geom::length(way);
-  if (length == 0.0) return fmt::format("{} m", 0);
+  if (length == 0.0) return fmt::format("{} {}", 0, unit.name);
   const double dip = std::atan2(std::abs(way.y), std::abs(way.x)) * 180.0 / std::numbers::pi;
-  return with_decimal_mark(fmt::format(fmt::runtime(translated("{:.6g} m, dip {:.1f}°")), length, dip));
+  return with_decimal_mark(
+      fmt::format(fmt::runtime(translated("{:.6g} {}, dip {:.1f}°")), length / unit.size, unit.name, dip));
 }
 
 std::string made_by_a_step() {

@@ -51,9 +51,18 @@ void take_nearest(std::optional<Snap>& best, double& least, Snap candidate, doub
   best = std::move(candidate);
 }
 
+double nearest_multiple(double value, double step) {
+  const double steps = std::round(value / step);
+  // Divided by a whole number, 3 * 0.1 is the 0.3 that a user means.
+  const double a_unit = 1.0 / step;
+  const bool whole = step < 1.0 && std::abs(a_unit - std::round(a_unit)) < 1e-9 * a_unit;
+  return (whole ? steps / std::round(a_unit) : steps * step) + 0.0;  // + 0.0 turns -0 into 0
+}
+
 std::optional<Snap> on_grid(Point cursor, const SnapWish& wish) {
   if (!(wish.grid > 0.0)) return std::nullopt;
-  const Point node{std::round(cursor.x / wish.grid) * wish.grid, std::round(cursor.y / wish.grid) * wish.grid};
+  const Point node{nearest_multiple(cursor.x, wish.grid),
+                   nearest_multiple(cursor.y, wish.grid_y > 0.0 ? wish.grid_y : wish.grid)};
   if (Page{wish.exaggeration}.distance(cursor, node) > wish.reach) return std::nullopt;
   return Snap{SnapKind::Grid, node};
 }

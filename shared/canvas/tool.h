@@ -26,7 +26,7 @@ struct Pointer {
 
 enum class Key { Enter, Escape, Backspace, Delete };
 
-enum class Cursor { Arrow, Cross, Hand };
+enum class Cursor { Arrow, Cross, Hand, Magnifier };
 
 /// Drawn over the picture while a tool works.
 struct Overlay {
@@ -47,6 +47,7 @@ enum class Shape { Line, Polygon, Point };
 struct Drawn {
   Shape shape = Shape::Line;
   geom::Polyline line;
+  std::string name{};  ///< What it was called where it comes from.
 };
 
 enum class Stage { During, Done };
@@ -72,7 +73,26 @@ struct Asked {
   std::vector<std::pair<std::string, Edited>> answers;
 };
 
-using Change = std::variant<Drawn, Edited, Dropped, Told, Asked>;
+/// Another part is to be seen: all of the box, `factor` times nearer where that has no size.
+struct LookedAt {
+  geom::Box box;
+  double factor = 1.0;
+};
+
+/// Select is to be taken up again.
+struct PutAway {};
+
+/// A place that something outside the canvas has asked for.
+struct Pointed {
+  geom::Point at;                                  ///< With the snap.
+  geom::Point under;                               ///< Under the cursor, without it.
+  std::optional<scene::Pick> line = std::nullopt;  ///< That lies there.
+};
+
+/// What was asked for is not wanted any more.
+struct NotPointed {};
+
+using Change = std::variant<Drawn, Edited, Dropped, Told, Asked, LookedAt, PutAway, Pointed, NotPointed>;
 
 class Tool {
  public:
@@ -121,6 +141,13 @@ std::unique_ptr<Tool> make_select_tool();
 std::unique_ptr<Tool> make_draw_tool(Drawing drawing);
 std::unique_ptr<Tool> make_measure_tool();
 
+std::unique_ptr<Tool> make_hand_tool();
+std::unique_ptr<Tool> make_zoom_tool();
+
+/// Waits for one click, snaps on the way, and says Pointed, or NotPointed at Escape.
+/// @param hint  what is to be clicked, translated.
+std::unique_ptr<Tool> make_point_tool(std::string hint);
+
 enum class LineWork { InsertVertex, Split, Join, Extend, Trim };
 std::unique_ptr<Tool> make_line_tool(LineWork work);
 
@@ -133,7 +160,7 @@ void show_selection(const Workspace& work, Overlay& overlay);
 
 /// Length and direction of a way: "125.3 m, 30.2°" (dip: below the horizontal, to the side where it falls). Here and in
 /// all that is shown beside the cursor, decimals stand behind the user's mark.
-std::string measure_text(geom::Point from, geom::Point to);
+std::string measure_text(geom::Point from, geom::Point to, const LengthUnit& unit = {});
 
 /// Why a line cannot be edited, and where it can.
 std::string made_by_a_step();

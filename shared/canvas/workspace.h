@@ -15,6 +15,12 @@ namespace dobra::canvas {
 /// The selected vertices of a line; none: the line as a whole.
 using Selection = std::map<scene::Pick, std::set<std::size_t>>;
 
+/// In what lengths are shown and typed.
+struct LengthUnit {
+  std::string name = "m";
+  double size = 1.0;  ///< World.
+};
+
 class Workspace {
  public:
   /// Another picture, or another panel of it. Of the selection stays what is still there.
@@ -43,6 +49,7 @@ class Workspace {
   [[nodiscard]] std::vector<std::pair<scene::Pick, std::size_t>> vertices_at(geom::Point at) const;
 
   Selection selection;
+  LengthUnit unit;
 
  private:
   std::shared_ptr<const scene::Picture> picture_;

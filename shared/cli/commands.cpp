@@ -197,6 +197,7 @@ scenario::Run run_as_far_as_it_goes(Session& session, const scenario::Document& 
   scenario::Runner runner(session.program);
   scenario::Run run = runner.run(document, session.progress());
   if (run.error) return run;
+  for (const std::string& line : scenario::without_effect(document, session.program)) session.note(line);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   session.detail(fmt::format("{} steps in {:.2f} s", document.steps.size(), time.count()));
   tell(session, run.states.back());

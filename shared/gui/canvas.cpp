@@ -1,5 +1,8 @@
 #include "shared/gui/canvas.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -9,17 +12,22 @@
 
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
+#include "shared/canvas/selecting.h"
+#include "shared/gui/documents/line_entries.h"
 #include "shared/gui/documents/shown.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
+#include "shared/gui/theme/icons.h"
 #include "shared/gui/vtk_widget.h"
 
 namespace dobra::gui {
 
 namespace {
 
-constexpr double reach = 8.0;        ///< Pixels round the cursor.
-constexpr double handle_size = 7.0;  ///< Pixels.
+constexpr double reach = 8.0;             ///< Pixels round the cursor.
+constexpr double handle_size = 7.0;       ///< Pixels.
+constexpr double selection_margin = 0.1;  ///< Round what is zoomed to.
 const QColor drawn_color = QColor::fromRgb(theme::drawn);
 const QColor chosen_color = QColor::fromRgb(theme::chosen);
 const QColor snap_color = QColor::fromRgb(theme::snapped);
@@ -32,6 +40,16 @@ double rounded(double value, double pixel) {
   const double steps = std::round(value / step);
   // Divided by a power of ten, the number is the nearest to what is written.
   return step < 1.0 ? steps / std::round(1.0 / step) : steps * step;
+}
+
+QCursor cursor_of(canvas::Cursor cursor) {
+  if (cursor == canvas::Cursor::Arrow) return Qt::ArrowCursor;
+  if (cursor == canvas::Cursor::Hand) return Qt::OpenHandCursor;
+  constexpr int side = 24;
+  constexpr int glass = 9;
+  if (cursor == canvas::Cursor::Magnifier)
+    return QCursor(theme::icon(theme::Symbol::ZoomWindow).pixmap(side, side), glass, glass);
+  return Qt::CrossCursor;
 }
 
 QString text_of(const std::string& source) { return QString::fromStdString(source); }
@@ -53,6 +71,7 @@ class Canvas::Sheet : public QWidget {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(view_.plot(canvas_.panel_));
+    draw_hovered(painter);
     const canvas::Overlay overlay = canvas_.tool_->overlay(canvas_.work_);
     for (const geom::Polyline& line : overlay.chosen) draw(painter, line, QPen(chosen_color, 2.5));
     for (const geom::Polyline& line : overlay.lines) draw(painter, line, QPen(drawn_color, 1.6, Qt::DashLine));
@@ -63,6 +82,14 @@ class Canvas::Sheet : public QWidget {
   }
 
  private:
+  /// Where a click selects.
+  void draw_hovered(QPainter& painter) {
+    if (canvas_.tool_->cursor() != canvas::Cursor::Arrow || !canvas_.hovered_ || !canvas_.hovered_->on) return;
+    const geom::Polyline* line = canvas_.work_.line(*canvas_.hovered_->on);
+    QColor glow = chosen_color;
+    glow.setAlpha(90);
+    if (line != nullptr) draw(painter, *line, QPen(glow, 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  }
   void draw(QPainter& painter, const geom::Polyline& line, const QPen& pen) {
     QPolygonF pixels;
     for (const geom::Point p : line.points) pixels.append(view_.pixel_of(canvas_.panel_, p));
@@ -138,21 +165,42 @@ Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
   entry_->installEventFilter(this);
   view.installEventFilter(this);
   connect(&view, &VtkWidget::view_changed, sheet_, qOverload<>(&QWidget::update));
+  connect(&view, &VtkWidget::view_changed, this, &Canvas::use_unit);
 }
 
 Canvas::~Canvas() = default;
 
 void Canvas::take_up(std::unique_ptr<canvas::Tool> tool) {
+  if (waiting_) tool_ = std::exchange(waiting_, nullptr);
   if (!work_.empty()) tool_->put_down(work_);
   carry_out();
   if (previewed_) session_.run();
   previewed_ = false;
-  tool_ = std::move(tool);
   pointer_.reset();
   entry_->hide();
-  view_.setCursor(tool_->cursor() == canvas::Cursor::Arrow ? Qt::ArrowCursor : Qt::CrossCursor);
+  take_in_hand(std::move(tool));
+}
+
+void Canvas::take_in_hand(std::unique_ptr<canvas::Tool> tool) {
+  tool_ = std::move(tool);
+  forget_hover();
+  view_.set_hand(tool_->cursor() == canvas::Cursor::Hand);
+  view_.set_tool_cursor(cursor_of(tool_->cursor()));
   said_.clear();
   show_hint();
+}
+
+void Canvas::ask_for_place(const QString& hint, Answer answer) {
+  if (!waiting_) waiting_ = std::exchange(tool_, nullptr);
+  answer_ = std::move(answer);
+  take_in_hand(canvas::make_point_tool(hint.toStdString()));
+  view_.setFocus();
+}
+
+void Canvas::hear(const canvas::Pointed& pointed) {
+  const QString refused = answer_ ? answer_(pointed) : QString();
+  if (!refused.isEmpty()) return say(refused);
+  if (waiting_) take_in_hand(std::exchange(waiting_, nullptr));
 }
 
 bool Canvas::take_back() {
@@ -170,6 +218,10 @@ void Canvas::say(const QString& message) {
 void Canvas::show_hint() {
   emit told(said_.isEmpty() ? text_of(tool_->hint()) : said_);
   if (std::exchange(was_unfinished_, unfinished()) != unfinished()) emit unfinished_changed();
+  if (told_selection_ != work_.selection) {
+    told_selection_ = work_.selection;
+    emit lines_changed();
+  }
   sheet_->update();
 }
 
@@ -195,6 +247,7 @@ void Canvas::show_sheet() {
 
 void Canvas::use_panel(std::size_t panel) {
   panel_ = panel;
+  hovered_.reset();
   if (picture_ && panel < picture_->panels.size()) {
     work_.show(picture_, panel, hidden_);
     work_.set_editable(std::nullopt);
@@ -206,7 +259,25 @@ void Canvas::use_panel(std::size_t panel) {
     work_.show(std::move(empty), panel);
     work_.set_editable(std::nullopt);
   }
+  use_unit();
+  told_selection_ = work_.selection;
+  emit lines_changed();
   sheet_->update();
+}
+
+void Canvas::select(canvas::Selection selection) {
+  std::erase_if(selection, [&](const auto& line) { return work_.empty() || work_.line(line.first) == nullptr; });
+  work_.selection = std::move(selection);
+  told_selection_ = work_.selection;
+  sheet_->update();
+}
+
+void Canvas::use_unit() {
+  if (panel_ >= view_.panel_count()) return;
+  const scene::Axes& axes = view_.axes(panel_);
+  const std::size_t open = axes.x_title.rfind('[');
+  const bool has_one = open != std::string::npos && axes.x_title.ends_with(']');
+  work_.unit = {has_one ? axes.x_title.substr(open + 1, axes.x_title.size() - open - 2) : "m", axes.unit};
 }
 
 void Canvas::set_layer_hidden(const std::string& layer, bool hidden) {
@@ -218,10 +289,13 @@ void Canvas::set_layer_hidden(const std::string& layer, bool hidden) {
   use_panel(panel_);
 }
 
-std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardModifiers keys) {
+std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardModifiers keys, bool pressed) {
   const std::optional<VtkWidget::Spot> spot = view_.spot_at(pixel);
   if (!spot) return std::nullopt;
-  if ((spot->panel != panel_ && !tool_->last()) || work_.empty()) use_panel(spot->panel);
+  // Nobody loses what is selected by moving over another panel.
+  const bool stays =
+      tool_->last() || (!pressed && tool_->cursor() == canvas::Cursor::Arrow && !work_.selection.empty());
+  if ((spot->panel != panel_ && !stays) || work_.empty()) use_panel(spot->panel);
   if (spot->panel != panel_) return std::nullopt;
   const double size = view_.view(panel_).world_per_point;
   canvas::Pointer pointer;
@@ -232,14 +306,29 @@ std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardMod
   if (keys & Qt::ControlModifier) pointer.modifier = canvas::Modifier::Toggle;
   canvas::SnapWish wish{.reach = pointer.reach, .exaggeration = pointer.exaggeration, .from = tool_->last()};
   wish.without = tool_->moving();
+  if (grid_snapping_) {
+    const geom::Vector step = view_.tick_step(panel_);
+    wish.kinds.insert(canvas::SnapKind::Grid);
+    wish.grid = step.x;
+    wish.grid_y = step.y;
+  }
   if (angles_ != keys.testFlag(Qt::ShiftModifier)) wish.kinds.insert(canvas::SnapKind::Angle);
   if (snapping_ && tool_->snaps() && !keys.testFlag(Qt::AltModifier)) pointer.snap = work_.snaps().at(spot->at, wish);
   return pointer;
 }
 
 bool Canvas::mouse(QMouseEvent& event, QEvent::Type type) {
-  std::optional<canvas::Pointer> pointer = pointer_at(event.position(), event.modifiers());
   const bool left = event.button() == Qt::LeftButton;
+  // What pans is no click of a tool.
+  if (left && type != QEvent::MouseButtonRelease && view_.hand_is_ready()) return false;
+  std::optional<canvas::Pointer> pointer =
+      pointer_at(event.position(), event.modifiers(), type == QEvent::MouseButtonPress);
+  if (type == QEvent::MouseMove) hover(event);
+  if (event.button() == Qt::RightButton && type == QEvent::MouseButtonRelease) {
+    hover(event);
+    show_menu(event.globalPosition().toPoint());
+    return true;
+  }
   // A gesture that leaves the plot ends where it was last.
   if (!pointer && left && type == QEvent::MouseButtonRelease) pointer = pointer_;
   if (!pointer || (type != QEvent::MouseMove && !left)) return false;
@@ -252,6 +341,8 @@ bool Canvas::mouse(QMouseEvent& event, QEvent::Type type) {
   if (type == QEvent::MouseButtonRelease) tool_->release(work_, *pointer);
   if (type == QEvent::MouseButtonDblClick) tool_->double_click(work_, *pointer);
   carry_out();
+  const bool selects = tool_->cursor() == canvas::Cursor::Arrow && said_.isEmpty();
+  if (selects && type != QEvent::MouseMove) said_ = text_of(canvas::selection_text(work_));
   if (type != QEvent::MouseMove) show_hint();
   sheet_->update();
   return false;
@@ -306,13 +397,17 @@ bool Canvas::entry_key(const QEvent& event) {
   return key == canvas::Key::Enter || key == canvas::Key::Escape;  // the view below is not to have them too
 }
 
+/// Lengths are typed in the unit of the axes.
 void Canvas::enter() {
+  const double unit = work_.unit.size;
   canvas::EntryContext context{.last = tool_->last()};
   if (context.last && pointer_) context.towards = pointer_->at - *context.last;
+  if (context.last && unit != 1.0) context.last = geom::Point{context.last->x / unit, context.last->y / unit};
   const std::optional<double> number = base::parse_number(entry_->text().trimmed().replace(',', '.').toStdString());
   const std::optional<geom::Point> meant = number ? tool_->place_of_number(*number) : std::nullopt;
-  const base::Result<geom::Point> place =
+  base::Result<geom::Point> place =
       meant ? base::Result<geom::Point>(*meant) : canvas::parse_entry(entry_->text().toStdString(), context);
+  if (place && !meant && unit != 1.0) place = geom::Point{place->x * unit, place->y * unit};
   if (!place) {
     say(text_of(place.error().message));
     return;
@@ -329,12 +424,162 @@ void Canvas::enter() {
   show_hint();
 }
 
-void Canvas::carry_out() {
-  for (const canvas::Change& change : tool_->take()) {
+void Canvas::hover(const QMouseEvent& event) {
+  const std::optional<VtkWidget::Spot> spot = view_.spot_at(event.position());
+  const bool gesture = (event.buttons() & (Qt::LeftButton | Qt::MiddleButton)) != 0;
+  if (!spot || spot->panel != panel_ || work_.empty() || gesture) return forget_hover();
+  canvas::SnapWish wish{.reach = reach * view_.view(panel_).world_per_point,
+                        .exaggeration = view_.exaggeration(panel_),
+                        .kinds = {canvas::SnapKind::OnLine}};
+  std::optional<canvas::Snap> found = work_.snaps().at(spot->at, wish);
+  if (work_.editable() != nullptr) {  // where lines lie over each other, the one that can be worked on
+    wish.only = work_.editable();
+    if (std::optional<canvas::Snap> ours = work_.snaps().at(spot->at, wish)) found = std::move(ours);
+  }
+  const bool other = (found ? found->on : std::nullopt) != (hovered_ ? hovered_->on : std::nullopt);
+  hovered_ = std::move(found);
+  emit over_line(hovered_ ? text_of(canvas::dip_text(work_, *hovered_)) : QString());
+  if (other) sheet_->update();
+}
+
+void Canvas::forget_hover() {
+  if (!hovered_) return;
+  hovered_.reset();
+  emit over_line({});
+  sheet_->update();
+}
+
+void Canvas::select_all() {
+  work_.selection = canvas::all_lines(work_);
+  say(text_of(canvas::selection_text(work_)));
+}
+
+void Canvas::invert_selection() {
+  work_.selection = canvas::other_lines(work_);
+  say(text_of(canvas::selection_text(work_)));
+}
+
+void Canvas::copy() {
+  const std::vector<canvas::NamedLine> lines = canvas::selected_lines(work_);
+  if (lines.empty()) return say(text("Nothing is selected: take up Select (S) and click a line first."));
+  QApplication::clipboard()->setText(text_of(canvas::text_of_lines(lines)));
+  say(text("Copied %1 lines; Ctrl+V draws them in any window, and a spreadsheet takes them.").arg(lines.size()));
+}
+
+void Canvas::cut() {
+  copy();
+  canvas::Edited edited{{}, base::translated("Cut lines"), canvas::Stage::Done};
+  for (const auto& [pick, vertices] : std::exchange(work_.selection, {})) edited.lines.push_back({pick, {}});
+  if (!edited.lines.empty()) carry_out(edited);
+  sheet_->update();
+}
+
+void Canvas::paste() {
+  const base::Result<std::vector<canvas::NamedLine>> lines =
+      canvas::lines_of_text(QApplication::clipboard()->text().toStdString());
+  if (!lines) return say(text_of(lines.error().message));
+  for (const canvas::NamedLine& line : *lines) {
+    const canvas::Shape shape = line.line.closed               ? canvas::Shape::Polygon
+                                : line.line.points.size() == 1 ? canvas::Shape::Point
+                                                               : canvas::Shape::Line;
+    emit drawn(canvas::Drawn{shape, line.line, line.name});
+  }
+}
+
+void Canvas::look_at_selection() {
+  const geom::Box box = canvas::selection_box(work_);
+  if (box.empty() || !view_.is_ready() || panel_ >= view_.panel_count())
+    return say(text("Nothing is selected: take up Select (S) and click a line first."));
+  view_.look_at(panel_, box.grown(selection_margin * std::max(box.width(), box.height())));
+}
+
+/// For the line under the cursor, which is selected then.
+void Canvas::show_menu(QPoint global) {
+  if (work_.empty()) return;
+  std::optional<canvas::Snap> on = hovered_;
+  if (!on && work_.selection.size() == 1) {  // from the keyboard
+    const scene::Pick& pick = work_.selection.begin()->first;
+    if (const geom::Polyline* line = work_.line(pick))
+      on = canvas::Snap{canvas::SnapKind::OnLine, line->points.front(), pick, 0};
+  }
+  if (!on || !on->on) return;
+  using view::LineCommand;
+  std::set<LineCommand> possible{LineCommand::ZoomTo, LineCommand::HideLayer, LineCommand::Copy};
+  const std::string title = work_.title(*on->on);
+  if (session_.program().drawing.edit && work_.is_editable(*on->on)) {
+    possible.insert({LineCommand::Delete, LineCommand::InsertVertex, LineCommand::SplitHere});
+    if (documents::table_of_line(session_.document(), session_.program(), title))
+      possible.insert({LineCommand::Rename, LineCommand::Kind});
+  }
+  if (!work_.selection.contains(*on->on)) work_.selection = {{*on->on, {}}};
+  say(text_of(canvas::selection_text(work_)));
+  view::show_line_menu(text_of(title), possible, global, &view_,
+                       [this, on = *on](LineCommand command) { carry_out(command, on); });
+}
+
+void Canvas::carry_out(view::LineCommand command, const canvas::Snap& on) {
+  using view::LineCommand;
+  if (work_.empty() || work_.line(*on.on) == nullptr) return;  // a run has taken it away meanwhile
+  switch (command) {
+    case LineCommand::Rename:
+    case LineCommand::Kind: {
+      const std::string name = work_.title(*on.on);
+      if (const auto table = documents::table_of_line(session_.document(), session_.program(), name))
+        emit rename_asked(text_of(*table), text_of(name));
+      break;
+    }
+    case LineCommand::Delete: {
+      canvas::Edited edited{{}, base::translated("Delete lines"), canvas::Stage::Done};
+      for (const auto& [pick, vertices] : std::exchange(work_.selection, {})) edited.lines.push_back({pick, {}});
+      carry_out(edited);
+      break;
+    }
+    case LineCommand::SplitHere:
+      work_on(canvas::LineWork::Split, on);
+      break;
+    case LineCommand::InsertVertex:
+      work_on(canvas::LineWork::InsertVertex, on);
+      break;
+    case LineCommand::Copy:
+      copy();
+      break;
+    case LineCommand::ZoomTo:
+      look_at_selection();
+      break;
+    case LineCommand::HideLayer:
+      emit hide_asked(text_of(work_.panel().key), text_of(on.on->layer));
+      break;
+  }
+  sheet_->update();
+}
+
+/// As a click with that tool there does.
+void Canvas::work_on(canvas::LineWork work, const canvas::Snap& on) {
+  const std::unique_ptr<canvas::Tool> tool = canvas::make_line_tool(work);
+  canvas::Pointer pointer{.at = on.at, .snap = on};
+  pointer.exaggeration = view_.exaggeration(panel_);
+  pointer.reach = reach * view_.view(panel_).world_per_point;
+  tool->press(work_, pointer);
+  carry_out(tool->take());
+}
+
+void Canvas::carry_out() { carry_out(tool_->take()); }
+
+void Canvas::carry_out(const std::vector<canvas::Change>& changes) {
+  for (const canvas::Change& change : changes) {
     if (const auto* edited = std::get_if<canvas::Edited>(&change)) carry_out(*edited);
     if (const auto* what = std::get_if<canvas::Drawn>(&change)) emit drawn(*what);
     if (const auto* message = std::get_if<canvas::Told>(&change)) say(text_of(message->message));
     if (const auto* question = std::get_if<canvas::Asked>(&change)) emit asked(*question);
+    if (std::holds_alternative<canvas::PutAway>(change)) emit put_away();
+    if (const auto* wanted = std::get_if<canvas::LookedAt>(&change)) {
+      if (wanted->factor == 1.0)
+        view_.look_at(panel_, wanted->box);
+      else
+        view_.zoom(wanted->factor, view_.pixel_of(panel_, wanted->box.centre()));
+    }
+    if (const auto* pointed = std::get_if<canvas::Pointed>(&change)) hear(*pointed);
+    if (std::holds_alternative<canvas::NotPointed>(change) && waiting_) take_in_hand(std::exchange(waiting_, nullptr));
     if (std::holds_alternative<canvas::Dropped>(change) && std::exchange(previewed_, false)) session_.run();
   }
 }
@@ -347,9 +592,11 @@ void Canvas::carry_out(const canvas::Edited& edited) {
     say(text_of(canvas::made_by_a_step()));
     return;
   }
-  base::Result<scenario::Document> document = edit(session_.document(), base_->run.states.front(), edited.lines);
+  std::vector<scene::LineEdit> lines = edited.lines;
+  for (scene::LineEdit& line : lines) line.pick = documents::of_input(line.pick);
+  base::Result<scenario::Document> document = edit(session_.document(), base_->run.states.front(), lines);
   if (!document) {
-    say(text_of(to_string(document.error())));
+    say(in_words(document.error()));
     return;
   }
   previewed_ = edited.stage == canvas::Stage::During;
@@ -381,8 +628,15 @@ bool Canvas::eventFilter(QObject* watched, QEvent* event) {
       if (key->key() == Qt::Key_Escape) session_.cancel();
       return false;
     }
+    case QEvent::ContextMenu:
+      if (static_cast<QContextMenuEvent*>(event)->reason() == QContextMenuEvent::Keyboard) {
+        show_menu(view_.mapToGlobal(view_.rect().center()));
+        return true;
+      }
+      return false;
     case QEvent::Leave:
       pointer_.reset();
+      forget_hover();
       sheet_->update();
       return false;
     default:

@@ -5,41 +5,40 @@
 #include <QToolBar>
 
 #include "shared/canvas/tool.h"
+#include "shared/gui/actions/registry.h"
 #include "shared/gui/session.h"
-#include "shared/gui/theme/icons.h"
 #include "shared/scenario/program.h"
 
-class QActionGroup;
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QMenu;
+class QPushButton;
 
 namespace dobra::gui {
 
 class Canvas;
 
-/// One button a tool; the menu has the same actions.
+/// One button a tool; the menu Draw has the same actions.
 class DrawBar : public QToolBar {
   Q_OBJECT
 
  public:
-  DrawBar(Session& session, Canvas& canvas, QMenu& menu, QWidget* parent);
-
-  /// As its action is called ("draw.line"); false if there is none.
-  bool take_up(const QString& name);
+  /// Adds the tools and their switches to `actions`.
+  DrawBar(Session& session, Canvas& canvas, actions::Registry& actions, QWidget* parent);
 
  private:
   using Make = std::unique_ptr<canvas::Tool> (*)();
-  void add_tool(QMenu& menu, const char* name, const QString& words, theme::Symbol symbol, const QKeySequence& keys,
-                Make make);
-  void add_switches(QMenu& menu, Canvas& canvas);
+  void add_tool(const char* section, const char* name, const char* words, theme::Symbol symbol, int key, Make make);
+  void add_tools();
+  void add_switches();
   void ask(const canvas::Drawn& what);
+  void ask_name(const QString& table, const QString& name);
   void ask_which(const canvas::Asked& what);
 
   Session& session_;
   Canvas& canvas_;
-  QActionGroup* tools_ = nullptr;
+  actions::Registry& actions_;
+  std::string in_hand_;  ///< The id of the tool that was taken up last.
   std::string last_kind_;
 };
 
@@ -54,6 +53,10 @@ class NewLine : public QDialog {
           std::function<base::Result<void>(const std::string& kind, const std::string& name)> add, QWidget* parent);
 
   [[nodiscard]] std::string kind() const;
+  /// What it is called unless the user says otherwise.
+  void propose(const QString& name);
+  /// Of the button that takes what is said.
+  void call_button(const QString& words);
 
  private:
   void try_to_add();
@@ -63,6 +66,7 @@ class NewLine : public QDialog {
   QComboBox* kind_ = nullptr;
   QLineEdit* name_ = nullptr;
   QLabel* refused_ = nullptr;
+  QPushButton* add_button_ = nullptr;
 };
 
 }  // namespace dobra::gui

@@ -257,6 +257,11 @@ class TextEditor : public LineEditor {
     pick_->setVisible(!names.empty());
   }
 
+  void take_name(const QString& name) override {
+    const std::vector<std::string> now = chosen();
+    if (std::find(now.begin(), now.end(), name.toStdString()) == now.end()) pick(name.toStdString());
+  }
+
  private:
   /// What is chosen now is ticked.
   void fill_menu() {
@@ -356,25 +361,27 @@ class ChoiceEditor : public FieldEditor {
  public:
   ChoiceEditor(const Field& field, QWidget* parent) : FieldEditor(parent), box_(new CalmComboBox(this)) {
     box_->setFocusPolicy(Qt::StrongFocus);
-    for (const std::string& choice : field.choices) box_->addItem(QString::fromStdString(choice));
+    for (const std::string& choice : field.choices) box_->addItem(choice_text(choice), QString::fromStdString(choice));
+    box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box_->setMinimumContentsLength(6);
     box_->setPlaceholderText(words_for_nothing(field));
     tight_row(this)->addWidget(box_, 1);
     setFocusProxy(box_);
-    connect(box_, &QComboBox::textActivated, this,
-            [this](const QString& chosen) { emit entered(Value(chosen.toStdString())); });
+    connect(box_, &QComboBox::activated, this,
+            [this](int at) { emit entered(Value(box_->itemData(at).toString().toStdString())); });
   }
   void show_value(const Values& value, Origin origin) override {
-    box_->setCurrentIndex(value ? box_->findText(QString::fromStdString(std::get<std::string>(*value))) : -1);
+    box_->setCurrentIndex(value ? box_->findData(QString::fromStdString(std::get<std::string>(*value))) : -1);
     show_origin(*box_, origin);
   }
   void type(const QString& typed) override {
-    const int index = box_->findText(typed);
+    const int index = std::max(box_->findData(typed), box_->findText(typed));
     if (index < 0) {
       emit rejected(text("'%1' is not one of the choices").arg(typed));
       return;
     }
     box_->setCurrentIndex(index);
-    emit entered(Value(typed.toStdString()));
+    emit entered(Value(box_->itemData(index).toString().toStdString()));
   }
 
  private:
@@ -487,6 +494,8 @@ FieldEditor* make_field_editor(const Field& field, const std::filesystem::path& 
   DOBRA_CHECK(field.kind != Kind::Tables);
   return nullptr;
 }
+
+QString choice_text(const std::string& choice) { return text(choice.c_str()); }
 
 base::Result<std::vector<geom::Point>> points_from_text(const std::string& written) {
   std::vector<geom::Point> points;

@@ -36,6 +36,9 @@ class FieldEditor : public QWidget {
   /// Names that the user may pick from; an editor that writes no names ignores them.
   virtual void offer(const std::vector<std::string>& /*names*/) {}
 
+  /// Does what a user does who picks this name: it goes in, beside the others where there may be several.
+  virtual void take_name(const QString& name) { type(name); }
+
   /// Draws the editor as one whose content is wrong, or no longer.
   enum class Judgement { Good, Bad };
   virtual void show_judgement(Judgement judgement);
@@ -52,6 +55,9 @@ class FieldEditor : public QWidget {
 /// @param folder  where relative file names start.
 /// @pre field.kind is not Tables.
 FieldEditor* make_field_editor(const scenario::Field& field, const std::filesystem::path& folder, QWidget* parent);
+
+/// How a choice is called in a form: its translation, or itself.
+QString choice_text(const std::string& choice);
 
 /// Points from text: two numbers a line, separated by commas, semicolons, tabs or blanks, with or without brackets.
 /// @error BadValue with the number of the line.

@@ -111,6 +111,19 @@ bool LayerTree::set_layer_visible(const std::string& key, bool visible) {
   return found;
 }
 
+std::vector<LayerTree::Listed> LayerTree::listed() const {
+  std::vector<Listed> all;
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    const QTreeWidgetItem* branch = topLevelItem(i);
+    for (int j = 0; j < branch->childCount(); ++j) {
+      const QTreeWidgetItem* leaf = branch->child(j);
+      all.push_back(
+          {key_of(branch) + "/" + key_of(leaf), leaf->text(0), branch->text(0), leaf->checkState(0) == Qt::Checked});
+    }
+  }
+  return all;
+}
+
 void LayerTree::take_change(QTreeWidgetItem* item) {
   if (item->parent() == nullptr) return;  // Its layers tell of themselves.
   const bool visible = item->checkState(0) == Qt::Checked;

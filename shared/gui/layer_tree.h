@@ -27,6 +27,15 @@ class LayerTree : public QTreeWidget {
   /// Shows or hides all layers of that key, or "panel/layer" only that one. @return whether there is any.
   bool set_layer_visible(const std::string& key, bool visible);
 
+  struct Listed {
+    std::string key;  ///< "panel/layer"
+    QString title;
+    QString panel;  ///< Its title.
+    bool visible = true;
+  };
+  /// All layers, from the top of the list.
+  [[nodiscard]] std::vector<Listed> listed() const;
+
   void forget_choices() { choices_.clear(); }
 
  signals:

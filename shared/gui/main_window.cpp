@@ -1,19 +1,16 @@
 #include "shared/gui/main_window.h"
 
-#include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLocale>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QScreen>
 #include <QSettings>
-#include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
@@ -31,31 +28,16 @@
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
+#include "shared/gui/view/exaggeration_box.h"
+#include "shared/gui/vertices/pointing.h"
+#include "shared/gui/vertices/vertex_panel.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
 
 namespace dobra::gui {
 
-struct MainWindow::Actions {
-  QAction* open = nullptr;
-  QAction* save = nullptr;
-  QAction* save_as = nullptr;
-  QAction* save_picture = nullptr;
-  QAction* quit = nullptr;
-  QAction* undo = nullptr;
-  QAction* redo = nullptr;
-  QAction* fit = nullptr;
-  QAction* run = nullptr;
-  QAction* cancel = nullptr;
-  QAction* about = nullptr;
-  QAction* play = nullptr;
-  QAction* step = nullptr;
-  QAction* stop = nullptr;
-};
-
 namespace {
 
-constexpr const char* shown_key = "shown";
 constexpr int roomy = 1000;  ///< Pixels of a window that has room for lists on both sides of the picture.
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
@@ -71,11 +53,7 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
 }  // namespace
 
 MainWindow::MainWindow(const scenario::Program& program, std::string about)
-    : program_(program),
-      about_(std::move(about)),
-      session_(program),
-      player_(session_),
-      actions_(std::make_unique<Actions>()) {
+    : program_(program), about_(std::move(about)), session_(program), player_(session_), actions_(*this) {
   QApplication::setPalette(theme::with_quiet_words(QApplication::palette()));
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
@@ -83,7 +61,6 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
   make_center();
   make_docks();
   make_actions();
-  make_player_actions();
   make_status_bar();
   connect_session();
   show_nothing();
@@ -118,6 +95,7 @@ void MainWindow::make_center() {
   connect(view_, &VtkWidget::picked, canvas_, &Canvas::tell_pick);
   connect(canvas_, &Canvas::told, this, [this](const QString& what) { status_->show_hint(what); });
   connect(canvas_, &Canvas::unfinished_changed, this, &MainWindow::show_undo);
+  connect(canvas_, &Canvas::over_line, this, [this](const QString& dip) { status_->show_dip(dip); });
 }
 
 void MainWindow::make_docks() {
@@ -131,6 +109,10 @@ void MainWindow::make_docks() {
   QDockWidget* form = dock(*this, text("Parameters"), "dock.form", form_, Qt::LeftDockWidgetArea);
   QDockWidget* layers = dock(*this, text("Layers"), "dock.layers", layers_, Qt::RightDockWidgetArea);
   QDockWidget* results = dock(*this, text("Results"), "dock.results", results_, Qt::RightDockWidgetArea);
+  vertices_ = new vertices::VertexPanel(this);
+  QDockWidget* vertices = dock(*this, text("Vertices"), "dock.vertices", vertices_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(results, vertices);
+  results->raise();
   resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
   resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
   resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
@@ -139,12 +121,16 @@ void MainWindow::make_docks() {
     addDockWidget(Qt::LeftDockWidgetArea, results);
     tabifyDockWidget(form, layers);
     tabifyDockWidget(layers, results);
+    tabifyDockWidget(results, vertices);
     form->raise();
     resizeDocks({steps}, {260}, Qt::Horizontal);
     resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
   }
 
-  connect(steps_, &StepList::selected_changed, this, &MainWindow::show_form);
+  connect(steps_, &StepList::selected_changed, this, [this] {
+    show_form();
+    actions_.refresh();
+  });
   connect(steps_, &StepList::add_asked, this, [this](const std::string& operation) {
     form_->form()->commit();
     const std::size_t after = steps_->selected();
@@ -163,6 +149,19 @@ void MainWindow::make_docks() {
                   text("Exchange steps %1 and %2").arg(step).arg(step + 1));
     steps_->select(selected);
   });
+  form_->canvas_answers();
+  connect(form_, &ParameterForm::pointing_asked, this, [this](FieldEditor* editor, const scenario::Field& field) {
+    const vertices::Pointing wish{field, form_part_, shown_};
+    canvas_->ask_for_place(
+        vertices::hint_of(wish), [this, wish, at = QPointer(editor)](const canvas::Pointed& pointed) {
+          const base::Result<QString> value =
+              vertices::pointed_text(wish, pointed, session_.document(), program_, session_.outcome().get());
+          if (!value) return QString::fromStdString(value.error().message);
+          if (at != nullptr && wish.of_name()) at->take_name(*value);
+          if (at != nullptr && !wish.of_name()) at->type(*value);
+          return QString();
+        });
+  });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
     scenario::Document edited = documents::with_table(session_.document(), form_part_, table);
     const documents::OutcomePtr& outcome = session_.outcome();
@@ -170,6 +169,12 @@ void MainWindow::make_docks() {
       edited = program_.drawing.settle(session_.document(), std::move(edited), outcome->run.states.front());
     session_.edit(std::move(edited), text("Change '%1'").arg(key));
   });
+  connect(canvas_, &Canvas::lines_changed, this, [this] {
+    vertices_->show(canvas_->workspace(), QString::fromStdString(session_.document().shown_units().length_unit()));
+  });
+  connect(vertices_, &vertices::VertexPanel::selected, canvas_, &Canvas::select);
+  connect(vertices_, &vertices::VertexPanel::edited, canvas_, qOverload<const canvas::Edited&>(&Canvas::carry_out));
+  connect(vertices_, &vertices::VertexPanel::told, canvas_, &Canvas::say);
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
   connect(layers_, &LayerTree::visibility_changed, this,
           [this](const std::string&, const std::string& layer, bool visible) {
@@ -177,149 +182,20 @@ void MainWindow::make_docks() {
           });
 }
 
-void MainWindow::make_actions() {
-  Actions& a = *actions_;
-  QMenu* file = menuBar()->addMenu(text("&File"));
-  QMenu* edit = menuBar()->addMenu(text("&Edit"));
-  QMenu* draw = menuBar()->addMenu(text("&Draw"));
-  QMenu* look = menuBar()->addMenu(text("&View"));
-  QMenu* run = menuBar()->addMenu(text("&Run"));
-  QMenu* help = menuBar()->addMenu(text("&Help"));
-  const auto add = [this](QMenu* menu, const QString& words, const QKeySequence& keys, auto&& action) {
-    QAction* made = menu->addAction(words);
-    made->setShortcut(keys);
-    connect(made, &QAction::triggered, this, action);
-    return made;
-  };
-  a.open = add(file, text("&Open..."), QKeySequence::Open, [this] { ask_open(); });
-  recent_ = file->addMenu(text("Open &Recent"));
-  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
-  file->addSeparator();
-  a.save = add(file, text("&Save"), QKeySequence::Save, [this] { ask_save(); });
-  a.save_as = add(file, text("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { ask_save_as(); });
-  a.save_picture =
-      add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
-  file->addSeparator();
-  a.quit = add(file, text("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
-  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] { undo(); });
-  a.redo = add(edit, text("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { session_.redo(); });
-  a.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  a.fit = add(look, text("&Fit"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
-  look->addSeparator();
-  for (QDockWidget* each : findChildren<QDockWidget*>()) look->addAction(each->toggleViewAction());
-  a.run = add(run, text("&Run"), QKeySequence(Qt::Key_F5), [this] {
-    if (settle()) session_.run();
-  });
-  a.cancel = add(run, text("&Cancel"), QKeySequence(Qt::Key_Escape), [this] { session_.cancel(); });
-  a.about = add(help, text("&About %1").arg(QString::fromStdString(program_.title)), {}, [this] { about(); });
-
-  QToolBar* bar = addToolBar(text("Tools"));
-  bar->setObjectName("tool_bar");
-  bar->setMovable(false);
-  bar->setIconSize({22, 22});
-  const auto place = [bar](QAction* action, theme::Symbol symbol) {
-    action->setIcon(theme::icon(symbol));
-    bar->addAction(action);
-  };
-  place(a.open, theme::Symbol::Open);
-  place(a.save, theme::Symbol::Save);
-  place(a.save_picture, theme::Symbol::SavePicture);
-  bar->addSeparator();
-  place(a.undo, theme::Symbol::Undo);
-  place(a.redo, theme::Symbol::Redo);
-  bar->addSeparator();
-  place(a.fit, theme::Symbol::Fit);
-  make_shown_actions(*look, *bar);
-  bar->addSeparator();
-  place(a.run, theme::Symbol::Run);
-  place(a.cancel, theme::Symbol::Cancel);
-  draw_bar_ = new DrawBar(session_, *canvas_, *draw, this);
-  addToolBar(draw_bar_);
-}
-
-void MainWindow::make_shown_actions(QMenu& menu, QToolBar& bar) {
-  menu.addSeparator();
-  auto* group = new QActionGroup(this);
-  const auto add = [&](documents::Shown shown, const char* name, const QString& words, int key, theme::Symbol symbol) {
-    QAction* made = menu.addAction(theme::icon(symbol), words);
-    made->setObjectName(QString("look.") + name);
-    made->setCheckable(true);
-    made->setChecked(settings().value(shown_key, "result").toString() == name);
-    made->setShortcut(QKeySequence(Qt::CTRL | key));
-    made->setToolTip(QString("%1 (%2)").arg(words, made->shortcut().toString(QKeySequence::NativeText)));
-    if (made->isChecked()) shown_ = shown;
-    group->addAction(made);
-    bar.addAction(made);
-    connect(made, &QAction::triggered, this, [this, shown, name] {
-      shown_ = shown;
-      settings().setValue(shown_key, name);
-      show_picture();
-    });
-  };
-  add(documents::Shown::Input, "input", text("The input"), Qt::Key_1, theme::Symbol::ShowInput);
-  add(documents::Shown::Result, "result", text("The result"), Qt::Key_2, theme::Symbol::ShowResult);
-  add(documents::Shown::Both, "both", text("Input and result"), Qt::Key_3, theme::Symbol::ShowBoth);
-}
-
-bool MainWindow::look_at(const QString& what) {
-  auto* action = findChild<QAction*>("look." + what);
-  if (action != nullptr) action->trigger();
-  return action != nullptr;
-}
-
-/// Only in a program with something to watch.
-void MainWindow::make_player_actions() {
-  const auto& operations = program_.operations;
-  if (std::all_of(operations.begin(), operations.end(),
-                  [](const auto& operation) { return operation.stop_after.empty(); }))
-    return;
-  Actions& a = *actions_;
-  QToolBar* bar = addToolBar(text("Watch"));
-  bar->setObjectName("watch_bar");
-  bar->setMovable(false);
-  bar->setIconSize({22, 22});
-  const auto add = [&](const QString& words, theme::Symbol symbol, const QKeySequence& keys, auto&& action) {
-    QAction* made = bar->addAction(theme::icon(symbol), words);
-    made->setShortcut(keys);
-    made->setToolTip(QString("%1 (%2)").arg(words, keys.toString(QKeySequence::NativeText)));
-    connect(made, &QAction::triggered, this, action);
-    return made;
-  };
-  a.play = add(text("Watch it work"), theme::Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
-    if (player_.playing())
-      player_.pause();
-    else if (settle())
-      player_.play(watched_part());
-  });
-  a.step = add(text("One step more"), theme::Symbol::Step, QKeySequence(Qt::Key_F7), [this] {
-    if (settle()) player_.step(watched_part());
-  });
-  a.stop = add(text("Stop watching"), theme::Symbol::Cancel, QKeySequence(Qt::Key_F9), [this] { player_.stop(); });
-  connect(&player_, &Player::changed, this, &MainWindow::show_player);
-  connect(steps_, &StepList::selected_changed, this, &MainWindow::show_player);
-}
-
-std::size_t MainWindow::watched_part() const {
-  const std::size_t selected = steps_->selected();
-  if (player_.can_watch(selected)) return selected;
-  std::size_t part = session_.document().steps.size();
-  while (part > 0 && !player_.can_watch(part)) --part;
-  return part;
-}
-
 void MainWindow::show_player() {
-  if (actions_->play == nullptr) return;
-  const bool can = watched_part() > 0;
-  actions_->play->setEnabled(can);
-  actions_->play->setIcon(theme::icon(player_.playing() ? theme::Symbol::Pause : theme::Symbol::Play));
-  actions_->step->setEnabled(can && !player_.playing());
-  actions_->stop->setEnabled(player_.watching());
+  actions_.refresh();
   if (player_.watching()) status_->show_state(text("At work: after %1 steps").arg(player_.steps()));
 }
 
 void MainWindow::make_status_bar() {
   status_ = new StatusLine(this);
   setStatusBar(status_);
+  exaggeration_ = new view::ExaggerationBox(status_);
+  status_->addPermanentWidget(exaggeration_);
+  connect(exaggeration_, &view::ExaggerationBox::chosen, this, &MainWindow::set_exaggeration);
+  connect(exaggeration_, &view::ExaggerationBox::refused, canvas_, &Canvas::say);
+  connect(view_, &VtkWidget::exaggerated, this,
+          [this](double drawn) { exaggeration_->show_value(look_.exaggeration, drawn); });
   connect(status_, &StatusLine::cancel_asked, this, [this] { session_.cancel(); });
   canvas_->show_hint();
 }
@@ -361,17 +237,8 @@ bool MainWindow::undo() {
 }
 
 void MainWindow::show_undo() {
-  const documents::History& history = session_.history();
-  const auto words = [](const QString& verb, const std::string& what) {
-    return what.empty() ? verb : verb + ": " + QString::fromStdString(what);
-  };
-  const bool unfinished = canvas_->unfinished();
-  hint_->setVisible(!unfinished && documents::is_blank(session_.document(), program_));
-  actions_->undo->setEnabled(unfinished || history.can_undo());
-  actions_->redo->setEnabled(!unfinished && history.can_redo());
-  actions_->undo->setText(unfinished ? text("&Undo: last point")
-                                     : words(text("&Undo"), history.can_undo() ? history.undo_text() : std::string()));
-  actions_->redo->setText(words(text("&Redo"), history.can_redo() ? history.redo_text() : std::string()));
+  hint_->setVisible(!canvas_->unfinished() && documents::is_blank(session_.document(), program_));
+  actions_.refresh();
 }
 
 void MainWindow::show_document() {
@@ -380,10 +247,8 @@ void MainWindow::show_document() {
   setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
   setWindowFilePath({});
   setWindowModified(session_.history().modified());
-  show_undo();
-  actions_->save_picture->setEnabled(session_.outcome() != nullptr && session_.outcome()->picture != nullptr);
-  actions_->cancel->setEnabled(session_.busy());
   steps_->show_document(document, part_states());
+  show_undo();
   if (session_.outcome() == nullptr) {
     if (documents::is_blank(document, program_)) show_nothing();
     layers_->show_picture({});
@@ -451,7 +316,7 @@ void MainWindow::show_run_started() {
     error_bar_->clear();
     view_->clear_place();
   }
-  actions_->cancel->setEnabled(true);
+  actions_.refresh();
   if (player_.watching()) return;  // Many short runs, one after the other.
   status_->begin_run();
   steps_->show_document(session_.document(), part_states());
@@ -461,7 +326,7 @@ void MainWindow::show_progress(double fraction, const QString& what) { status_->
 
 void MainWindow::show_outcome() {
   if (!session_.busy()) status_->end_run();
-  actions_->cancel->setEnabled(session_.busy());
+  actions_.refresh();
   if (!session_.outcome()) return;
   const documents::Outcome& outcome = *session_.outcome();
   frames::Meter& meter = view_->meter();
@@ -475,7 +340,6 @@ void MainWindow::show_outcome() {
   show_picture();
   fit_next_ = outcome.picture == nullptr;
   results_->show_outcome(outcome);
-  actions_->save_picture->setEnabled(outcome.picture != nullptr);
   steps_->show_document(session_.document(), part_states());
   offer_names(std::min(steps_->selected(), session_.document().steps.size()));
   if (outcome.run.error) {
@@ -489,7 +353,7 @@ void MainWindow::show_outcome() {
 
 void MainWindow::show_picture() {
   if (!session_.outcome()) return;
-  const auto picture = std::make_shared<const scene::Picture>(documents::picture_of(*session_.outcome(), shown_));
+  const auto picture = std::make_shared<const scene::Picture>(picture_shown());
   const scene::Picture wanted = layers_->chosen(*picture);
   layers_->show_picture(wanted);
   if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more
@@ -514,8 +378,8 @@ void MainWindow::show_error(const base::Error& error) {
   const documents::OutcomePtr& outcome = session_.outcome();
   const bool of_run = outcome && outcome->run.error && outcome->run.error->message == error.message;
   const bool has_place = error.place && error.place->x && error.place->y;
-  const QString said = of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step)
-                              : QString::fromStdString(base::to_string(error));
+  const QString said =
+      of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step) : in_words(error);
   error_bar_->say(said, of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
 }
 

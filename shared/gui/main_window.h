@@ -5,18 +5,24 @@
 #include <QMainWindow>
 #include <filesystem>
 
+#include "shared/gui/actions/find.h"
+#include "shared/gui/actions/registry.h"
 #include "shared/gui/documents/shown.h"
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
+#include "shared/gui/view/settings.h"
 
+class QDockWidget;
 class QLabel;
 class QMenu;
 class QSettings;
-class QToolBar;
 
 namespace dobra::gui {
 
+namespace actions {
+class Palette;
+}
 class Canvas;
 class DrawBar;
 class ErrorBar;
@@ -25,6 +31,12 @@ class ParameterForm;
 class Results;
 class StatusLine;
 class VtkWidget;
+namespace view {
+class ExaggerationBox;
+}
+namespace vertices {
+class VertexPanel;
+}
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -58,9 +70,12 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] VtkWidget& view() { return *view_; }
   [[nodiscard]] Canvas& canvas() { return *canvas_; }
   [[nodiscard]] DrawBar& draw_bar() { return *draw_bar_; }
+  [[nodiscard]] actions::Registry& actions() { return actions_; }
+  [[nodiscard]] actions::Palette& palette() { return *palette_; }
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
+  [[nodiscard]] vertices::VertexPanel& vertices() { return *vertices_; }
   [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
@@ -69,15 +84,41 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  struct Actions;
   void make_center();
   void make_docks();
   void make_actions();
+  void add_file_actions();
+  void add_edit_actions();
+  void add_view_actions();
+  void add_panel_action(QDockWidget& panel);
+  void add_run_actions();
+  void add_help_actions();
   void make_status_bar();
   void connect_session();
-  void make_shown_actions(QMenu& menu, QToolBar& bar);
-  void make_player_actions();
   void show_player();
+  /// How the picture is looked at, and what is done with what is selected.
+  void add_look_actions();
+  void add_selection_actions();
+  /// One of the settings of the view: a choice in a menu of its own.
+  template <class Choice>
+  void add_look_choices(const char* name, const char* title, Choice view::Settings::*setting,
+                        const std::vector<std::tuple<Choice, const char*, const char*>>& choices);
+  void add_look_switch(const char* name, const char* title, QKeySequence keys, std::function<void()> turn,
+                       std::function<bool()> is_on);
+  void set_exaggeration(const std::optional<double>& exaggeration);
+  void show_look();
+  [[nodiscard]] scene::Picture picture_shown() const;
+  /// Whether the program has an operation that can be watched at work.
+  [[nodiscard]] bool can_watch() const;
+  /// What the palette offers now.
+  [[nodiscard]] std::vector<actions::Choice> choices();
+  void add_choices_of_document(std::vector<actions::Choice>& all);
+  void show_keys();
+  void copy_step();
+  void paste_step();
+  void copy_command();
+  [[nodiscard]] QString undo_text() const;
+  [[nodiscard]] QString redo_text() const;
 
   /// Puts what is typed into the document. False, and the error bar says why, if some of it is refused.
   bool settle();
@@ -88,7 +129,8 @@ class MainWindow : public QMainWindow {
   void open_asking(const std::filesystem::path& file);
   [[nodiscard]] QSettings settings() const;
   void remember_file(const std::filesystem::path& file);
-  void fill_recent_menu();
+  [[nodiscard]] QStringList recent_files() const;
+  void fill_recent_menu(QMenu& list);
   /// False if the user wants to stay with the unsaved document.
   bool may_discard();
   void about();
@@ -113,7 +155,8 @@ class MainWindow : public QMainWindow {
   std::string about_;
   Session session_;
   Player player_;
-  std::unique_ptr<Actions> actions_;
+  actions::Registry actions_;
+  actions::Palette* palette_ = nullptr;
   VtkWidget* view_ = nullptr;
   Canvas* canvas_ = nullptr;
   DrawBar* draw_bar_ = nullptr;
@@ -123,8 +166,10 @@ class MainWindow : public QMainWindow {
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
-  QMenu* recent_ = nullptr;
+  vertices::VertexPanel* vertices_ = nullptr;
   StatusLine* status_ = nullptr;
+  view::Settings look_;
+  view::ExaggerationBox* exaggeration_ = nullptr;
   documents::Shown shown_ = documents::Shown::Result;
   std::optional<base::Error> error_;  ///< What the error bar says.
   std::size_t form_part_ = 0;         ///< Whose parameters the form shows.

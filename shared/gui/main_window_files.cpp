@@ -75,8 +75,9 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
     return base::Error{base::ErrorCode::CannotDraw,
                        text("there is no picture yet; run the scenario first").toStdString()};
   }
-  const scene::Picture shown = documents::picture_of(*session_.outcome(), shown_);
-  return render::write_picture(scenario::titled(layers_->chosen(shown), session_.document()), file);
+  scene::Picture shown = picture_shown();
+  view_->exaggerate(shown);
+  return render::write_picture(scenario::titled(layers_->chosen(std::move(shown)), session_.document()), file);
 }
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
@@ -196,17 +197,18 @@ void MainWindow::remember_file(const std::filesystem::path& file) {
   kept.setValue(recent_key, QStringList(files.mid(0, most_recent_files)));
 }
 
-void MainWindow::fill_recent_menu() {
-  recent_->clear();
-  const QStringList files = settings().value(recent_key).toStringList();
+QStringList MainWindow::recent_files() const { return settings().value(recent_key).toStringList(); }
+
+void MainWindow::fill_recent_menu(QMenu& list) {
+  const QStringList files = recent_files();
   for (const QString& file : files) {
-    QAction* action = recent_->addAction(QString(file).replace("&", "&&"));
+    QAction* action = list.addAction(QString(file).replace("&", "&&"));
     action->setEnabled(QFileInfo::exists(file));
     connect(action, &QAction::triggered, this, [this, file] {
       if (may_discard()) open_asking(to_path(file));
     });
   }
-  if (files.isEmpty()) recent_->addAction(text("None yet"))->setEnabled(false);
+  if (files.isEmpty()) list.addAction(text("None yet"))->setEnabled(false);
 }
 
 void MainWindow::open_asking(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 
+#include "shared/gui/catalogue/catalogue.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/text.h"
 
@@ -53,7 +54,24 @@ QString in_words_of_the_form(const QString& message, const std::vector<Field>& f
   said.remove(option);
   for (const Field& field : fields) name_by_title(said, field);
   said.replace("[input]", text("Input"));
-  return said;
+  return catalogue::translated(said);
+}
+
+QString in_words(const base::Error& error) {
+  QString words;
+  if (!error.place) return catalogue::translated(QString::fromStdString(error.message));
+  const base::Place& place = *error.place;
+  if (!place.file.empty()) {
+    words += QString::fromStdString(place.file);
+    if (place.line > 0) words += QString(":%1").arg(place.line);
+    if (place.line > 0 && place.column > 0) words += QString(":%1").arg(place.column);
+    words += ": ";
+  }
+  if (!place.item.empty()) words += catalogue::translated(QString::fromStdString(place.item)) + ": ";
+  words += catalogue::translated(QString::fromStdString(error.message));
+  if (place.x && place.y)
+    words += " " + text("(at %1, %2)").arg(QString::number(*place.x, 'g', 10), QString::number(*place.y, 'g', 10));
+  return words;
 }
 
 QString in_words_of_the_window(base::Error error, const scenario::Document& document, const scenario::Program& program,
@@ -67,7 +85,7 @@ QString in_words_of_the_window(base::Error error, const scenario::Document& docu
         in_words_of_the_form(QString::fromStdString(error.message), documents::fields_of(document, program, part));
     error.message = said.toStdString();
   }
-  return QString::fromStdString(base::to_string(error));
+  return in_words(error);
 }
 
 QString still_to_be_given(const scenario::Document& document, const scenario::Program& program) {

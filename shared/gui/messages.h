@@ -8,8 +8,11 @@
 namespace dobra::gui {
 
 /// `message` with the titles of `fields` (and of the fields of their tables) where it names their keys, and without
-/// what it says of the command line.
+/// what it says of the command line; in the user's language.
 QString in_words_of_the_form(const QString& message, const std::vector<scenario::Field>& fields);
+
+/// base::to_string in the user's language.
+QString in_words(const base::Error& error);
 
 /// What went wrong in part `part` of a document. Lines of the document's own file are left out: those on the screen may
 /// be others by now.

@@ -1,5 +1,6 @@
 #include "shared/gui/parameter_form.h"
 
+#include <QApplication>
 #include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
@@ -17,6 +18,8 @@
 #include "shared/gui/tables_editor.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
+#include "shared/gui/theme/icons.h"
+#include "shared/scenario/condition.h"
 
 namespace dobra::gui {
 
@@ -30,8 +33,12 @@ struct TableForm::Row {
   FieldEditor* editor = nullptr;   ///< Either this ...
   TablesEditor* tables = nullptr;  ///< ... or this, for kind Tables.
   QLabel* title = nullptr;
+  QLabel* unit = nullptr;
+  QToolButton* point = nullptr;  ///< Asks for a name or a place of the canvas; none where there is no such.
   QToolButton* reset = nullptr;
   QLabel* message = nullptr;
+  QWidget* vain = nullptr;  ///< That the value has no effect, with a button that removes it.
+  QLabel* vain_words = nullptr;
 };
 
 namespace {
@@ -39,7 +46,11 @@ namespace {
 constexpr int title_column = 0;
 constexpr int editor_column = 1;
 constexpr int unit_column = 2;
-constexpr int reset_column = 3;
+constexpr int point_column = 3;
+constexpr int reset_column = 4;
+constexpr int columns = 5;
+
+constexpr int hint_lines = 3;
 
 QString unit_of(const Field& field) {
   return field.kind == Kind::Degrees ? QString::fromUtf8("°") : QString::fromStdString(field.options.unit);
@@ -51,7 +62,15 @@ QString number(double value) {
   return said;
 }
 
-QString tool_tip_of(const Field& field) {
+/// A default as the editor shows it.
+QString said_value(const Field& field, const QString& value) {
+  if (field.kind == Kind::Choice) return choice_text(value.toStdString());
+  if (field.kind == Kind::Flag) return value == "true" ? text("yes") : text("no");
+  return value;
+}
+
+/// What a value may be, and what it is where none is given.
+QStringList range_of(const Field& field) {
   const scenario::FieldOptions& options = field.options;
   QStringList range;
   if (options.above) range << text("greater than %1").arg(number(*options.above));
@@ -63,8 +82,24 @@ QString tool_tip_of(const Field& field) {
   if (options.presence == scenario::Presence::Required) range << text("required");
   if (field.default_value) {
     const QString value = QString::fromStdString(scenario::value_text(*field.default_value));
-    if (!value.isEmpty() && value.size() < 40) range << text("default %1").arg(value);
+    if (!value.isEmpty() && value.size() < 40) range << text("default %1").arg(said_value(field, value));
   }
+  return range;
+}
+
+/// "Distance: how far ...; greater than 0 m, default 50 m".
+QString hint_of(const Field& field) {
+  QString hint = text(field.options.title);
+  if (field.options.help[0] != '\0') hint += ": " + text(field.options.help);
+  QStringList range = range_of(field);
+  if (!range.isEmpty() && !unit_of(field).isEmpty()) range.last() += " " + unit_of(field);
+  if (!range.isEmpty()) hint += (hint.endsWith('.') ? " " : ". ") + range.join(", ") + ".";
+  return hint;
+}
+
+QString tool_tip_of(const Field& field) {
+  const scenario::FieldOptions& options = field.options;
+  const QStringList range = range_of(field);
   QString tip = "<p style='white-space:pre-wrap'><b>" + QString::fromStdString(field.key).toHtmlEscaped() + "</b>";
   if (options.help[0] != '\0') tip += "<br>" + text(options.help).toHtmlEscaped();
   if (!range.isEmpty()) tip += "<br><i>" + range.join(", ").toHtmlEscaped() + "</i>";
@@ -82,6 +117,16 @@ QString judge(const Field& field, const Value* value) {
 
 bool is_at(const base::Place& place, const base::Place& wanted) {
   return wanted.line > 0 && place.line == wanted.line && (wanted.column == 0 || place.column == wanted.column);
+}
+
+const char* hint_property = "dobra.hint";
+
+/// Whether the canvas can give the value of a field.
+bool is_pointed_at(const Field& field) {
+  if (field.kind == Kind::Point) return true;
+  const std::string& names = field.options.names;
+  if (field.kind == Kind::Number) return names == "x" || names == "z";
+  return !names.empty() && (field.kind == Kind::Text || field.kind == Kind::Texts);
 }
 
 /// "horizon.2.name" as "horizon", 2 and "name"; the index is 0 where there is none.
@@ -139,11 +184,11 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
   row->message->hide();
 
   const int line = grid.rowCount();
+  make_vain(*row);
   if (field.kind == Kind::Tables) {
     row->tables = new TablesEditor(field, folder_, this);
-    grid.addWidget(row->title, line, title_column, 1, 4);
-    grid.addWidget(row->tables, line + 1, title_column, 1, 4);
-    grid.addWidget(row->message, line + 2, title_column, 1, 4);
+    grid.addWidget(row->title, line, title_column, 1, columns);
+    grid.addWidget(row->tables, line + 1, title_column, 1, columns);
   } else {
     row->editor = make_field_editor(field, folder_, this);
     row->editor->setToolTip(tool_tip_of(field));
@@ -157,22 +202,95 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
     QSizePolicy policy = row->reset->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     row->reset->setSizePolicy(policy);
+    row->editor->setProperty(hint_property, hint_of(field));
+    if (is_pointed_at(field)) make_point_button(*row);
     if (field.kind == Kind::Points) {
       grid.addWidget(row->title, line, title_column, 1, 3);
       grid.addWidget(row->reset, line, reset_column);
-      grid.addWidget(row->editor, line + 1, title_column, 1, 4);
+      grid.addWidget(row->editor, line + 1, title_column, 1, columns);
     } else {
       const int width = unit_of(field).isEmpty() ? 2 : 1;
       grid.addWidget(row->title, line, title_column);
-      grid.addWidget(row->editor, line, editor_column, 1, width);
-      if (width == 1) grid.addWidget(new QLabel(unit_of(field), this), line, unit_column);
+      grid.addWidget(row->editor, line, editor_column, 1, width + (row->point == nullptr && width == 2 ? 1 : 0));
+      if (width == 1) {
+        row->unit = new QLabel(unit_of(field), this);
+        grid.addWidget(row->unit, line, unit_column);
+      }
+      if (row->point != nullptr) grid.addWidget(row->point, line, point_column);
       grid.addWidget(row->reset, line, reset_column);
     }
-    grid.addWidget(row->message, line + 2, title_column, 1, 4);
   }
+  grid.addWidget(row->message, line + 2, title_column, 1, columns);
+  grid.addWidget(row->vain, line + 3, title_column, 1, columns);
   name_controls(*row);
   connect_row(*row);
   rows_.push_back(std::move(row));
+}
+
+void TableForm::make_vain(Row& row) {
+  row.vain = new QWidget(this);
+  auto* layout = new QHBoxLayout(row.vain);
+  layout->setContentsMargins(0, 0, 0, 0);
+  row.vain_words = new QLabel(row.vain);
+  row.vain_words->setWordWrap(true);
+  row.vain_words->setForegroundRole(QPalette::PlaceholderText);
+  auto* remove = new QToolButton(row.vain);
+  remove->setText(text("Remove"));
+  remove->setObjectName("remove." + QString::fromStdString(row.field.key));
+  remove->setAccessibleName(row.title->text() + ": " + text("Remove"));
+  layout->addWidget(row.vain_words, 1);
+  layout->addWidget(remove);
+  row.vain->hide();
+  connect(remove, &QToolButton::clicked, this, [this, &row] { reset(row); });
+}
+
+void TableForm::make_point_button(Row& row) {
+  row.point = new QToolButton(this);
+  row.point->setIcon(theme::icon(theme::Symbol::Point));
+  row.point->setAutoRaise(true);
+  row.point->setToolTip(text("Point at it on the canvas"));
+  row.point->setObjectName("point." + QString::fromStdString(row.field.key));
+  row.point->setAccessibleName(row.title->text() + ": " + row.point->toolTip());
+  row.point->hide();  // until somebody listens: canvas_answers
+  connect(row.point, &QToolButton::clicked, this, [this, &row] { emit pointing_asked(row.editor, row.field); });
+}
+
+void TableForm::canvas_answers() {
+  canvas_answers_ = true;
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->tables != nullptr) row->tables->canvas_answers();
+  }
+  show_conditions();
+}
+
+void TableForm::show_conditions() {
+  for (const std::unique_ptr<Row>& row : rows_) {
+    const std::optional<scenario::Requirement> lacking = scenario::unmet(row->field, table_, fields_);
+    const bool set = table_.find(row->field.key) != nullptr;
+    const bool shown = !lacking || set || (row->editor != nullptr && row->editor->unsettled());
+    row->title->setVisible(shown);
+    row->title->setEnabled(!lacking);
+    if (row->unit != nullptr) row->unit->setVisible(shown);
+    if (row->point != nullptr) row->point->setVisible(shown && !lacking && canvas_answers_);
+    QWidget* editor = row->tables != nullptr ? static_cast<QWidget*>(row->tables) : row->editor;
+    editor->setVisible(shown);
+    editor->setEnabled(!lacking);
+    if (row->reset != nullptr) row->reset->setVisible(set && !lacking);
+    row->vain->setVisible(set && lacking);
+    if (lacking) row->vain_words->setText(without_effect(*lacking));
+    row->message->setVisible(shown && !row->message->text().isEmpty());
+  }
+}
+
+/// What keeps a value from having an effect, in the words of the form.
+QString TableForm::without_effect(const scenario::Requirement& lacking) const {
+  const auto field =
+      std::find_if(fields_.begin(), fields_.end(), [&](const Field& other) { return other.key == lacking.key; });
+  const QString title = field == fields_.end() ? QString::fromStdString(lacking.key) : text(field->options.title);
+  const std::optional<std::string> word = scenario::word_of(lacking.key, table_, fields_);
+  if (lacking.is == scenario::Requirement::Is::Set || !word || field == fields_.end())
+    return text("Has no effect without '%1'.").arg(title);
+  return text("Has no effect with '%1': %2.").arg(title, said_value(*field, QString::fromStdString(*word)));
 }
 
 /// For those who hear the form: its controls are called as the row is, its buttons by what they do to it.
@@ -191,12 +309,14 @@ void TableForm::name_controls(const Row& row) {
 void TableForm::connect_row(Row& row) {
   if (row.tables != nullptr) {
     connect(row.tables, &TablesEditor::wants_to_be_seen, this, &TableForm::wants_to_be_seen);
+    connect(row.tables, &TablesEditor::pointing_asked, this, &TableForm::pointing_asked);
     connect(row.tables, &TablesEditor::entered, this,
             [this, &row](const std::vector<Table>& tables, const QString& key) {
               if (tables.empty())
                 table_.erase(row.field.key);
               else
                 table_.set(row.field.key, tables);
+              show_conditions();
               const QString own = QString::fromStdString(row.field.key);
               emit edited(table_, key.isEmpty() ? own : own + "." + key);
             });
@@ -216,6 +336,7 @@ void TableForm::enter(Row& row, const Value& value) {
   const bool same = before != nullptr && *before == value;
   if (!same) table_.set(row.field.key, value);
   show_row(row);
+  show_conditions();
   if (same) return;
   emit edited(table_, QString::fromStdString(row.field.key));
 }
@@ -224,6 +345,7 @@ void TableForm::reset(Row& row) {
   const bool had_value = table_.find(row.field.key) != nullptr;
   table_.erase(row.field.key);
   show_row(row);
+  show_conditions();
   if (had_value) emit edited(table_, QString::fromStdString(row.field.key));
 }
 
@@ -241,7 +363,6 @@ void TableForm::show_row(Row& row) {
       row.editor->show_value(value, FieldEditor::Origin::Document);
     else
       row.editor->show_value(row.field.default_value, FieldEditor::Origin::Default);
-    row.reset->setVisible(written != nullptr);
   }
   say(row, wrong);
 }
@@ -261,6 +382,7 @@ void TableForm::set_table(const Table& table) {
     const bool same = (was == nullptr) == (is == nullptr) && (is == nullptr || *was == *is);
     if (!same || row->editor == nullptr || !row->editor->unsettled()) show_row(*row);
   }
+  show_conditions();
   add_stray_rows();
 }
 
@@ -285,6 +407,7 @@ void TableForm::offer(const NamesOf& names) {
   for (const std::unique_ptr<Row>& row : rows_) {
     if (row->editor != nullptr && !row->field.options.names.empty())
       row->editor->offer(names(row->field.options.names));
+    for (std::size_t i = 0; row->tables != nullptr && i < row->tables->count(); ++i) row->tables->form(i).offer(names);
   }
 }
 
@@ -392,6 +515,21 @@ ParameterForm::ParameterForm(QWidget* parent)
   column->addWidget(title_);
   column->addWidget(help_);
   column->addWidget(scroll_, 1);
+  hint_ = new QLabel(this);
+  hint_->setObjectName("form.hint");
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
+  hint_->setContentsMargins(0, 2, 8, 2);
+  // Room that is always there: a form that moved with the focus would slip from under the mouse.
+  hint_->setFixedHeight(hint_lines * hint_->fontMetrics().lineSpacing() + 4);
+  column->addWidget(hint_);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { show_hint(now); });
+}
+
+void ParameterForm::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  hint_->setVisible(height() > 12 * hint_->fontMetrics().lineSpacing());
 }
 
 void ParameterForm::show_part(const QString& identity, const QString& title, const QString& help,
@@ -408,7 +546,9 @@ void ParameterForm::show_part(const QString& identity, const QString& title, con
     form_ = new TableForm(fields, folder, page);
     column->addWidget(form_);
     column->addStretch(1);
+    if (canvas_answers_) form_->canvas_answers();
     connect(form_, &TableForm::edited, this, &ParameterForm::edited);
+    connect(form_, &TableForm::pointing_asked, this, &ParameterForm::pointing_asked);
     // Once the layout has settled: a message that has just appeared has no place before.
     connect(form_, &TableForm::wants_to_be_seen, this, [this](QWidget* widget) {
       QTimer::singleShot(0, widget, [this, widget] { scroll_->ensureWidgetVisible(widget, 0, 24); });
@@ -416,6 +556,16 @@ void ParameterForm::show_part(const QString& identity, const QString& title, con
     scroll_->setWidget(page);  // Deletes the page before.
   }
   form_->set_table(table);
+}
+
+void ParameterForm::show_hint(QWidget* focused) {
+  QString hint;
+  for (QWidget* widget = focused; widget != nullptr && widget != this; widget = widget->parentWidget()) {
+    if (isAncestorOf(widget) && widget->property(hint_property).isValid())
+      hint = widget->property(hint_property).toString();
+  }
+  // What is looked at while a list is open or a button is pressed stays explained.
+  if (focused != nullptr && (isAncestorOf(focused) || hint.isEmpty())) hint_->setText(hint);
 }
 
 }  // namespace dobra::gui

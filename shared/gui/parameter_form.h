@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "shared/base/result.h"
-#include "shared/scenario/field.h"
+#include "shared/gui/field_editor.h"
+#include "shared/scenario/condition.h"
 
 class QGridLayout;
 class QLabel;
@@ -19,7 +20,6 @@ class QVBoxLayout;
 
 namespace dobra::gui {
 
-class FieldEditor;
 class TablesEditor;
 
 /// The names in the model of what a field names ("fault").
@@ -43,6 +43,9 @@ class TableForm : public QWidget {
   /// Gives each editor of a name the names there are.
   void offer(const NamesOf& names);
 
+  /// Fields that hold names and places of the model get a button that asks for them (pointing_asked).
+  void canvas_answers();
+
   /// Tells what was typed and not yet told, in all rows.
   void commit();
   /// What is said under the first row whose text is not in the table; nothing if all are.
@@ -63,11 +66,18 @@ class TableForm : public QWidget {
   /// The user set `key` to another good value, or reset it.
   void edited(const dobra::scenario::Table& table, const QString& key);
   void wants_to_be_seen(QWidget* widget);
+  /// The user wants to point at what `editor` is to hold: a name, a point, or a coordinate (FieldOptions::names).
+  void pointing_asked(dobra::gui::FieldEditor* editor, const dobra::scenario::Field& field);
 
  private:
   struct Row;
   void add_row(const scenario::Field& field, QGridLayout& grid);
+  void make_vain(Row& row);
+  void make_point_button(Row& row);
   void add_stray_rows();
+  /// Fields that do not matter now are hidden, or said to have no effect where they are set.
+  void show_conditions();
+  [[nodiscard]] QString without_effect(const scenario::Requirement& lacking) const;
   static void name_controls(const Row& row);
   void connect_row(Row& row);
   void enter(Row& row, const scenario::Value& value);
@@ -81,6 +91,7 @@ class TableForm : public QWidget {
   scenario::Table table_;
   std::vector<std::unique_ptr<Row>> rows_;
   QVBoxLayout* strays_ = nullptr;  ///< Keys of the table that no field has.
+  bool canvas_answers_ = false;
 };
 
 /// The form of a step with its title and help, in a scroll area.
@@ -99,17 +110,29 @@ class ParameterForm : public QWidget {
   /// The next part is another one, whatever its identity: nothing typed stays.
   void forget() { identity_.clear(); }
 
+  /// As of TableForm, of every form that is shown from now on.
+  void canvas_answers() { canvas_answers_ = true; }
+
   [[nodiscard]] TableForm* form() const { return form_; }
 
  signals:
   void edited(const dobra::scenario::Table& table, const QString& key);
+  void pointing_asked(dobra::gui::FieldEditor* editor, const dobra::scenario::Field& field);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// What the field with the focus is for and may hold.
+  void show_hint(QWidget* focused);
+
   QString identity_;
   QLabel* title_;
   QLabel* help_;
   QScrollArea* scroll_;
+  QLabel* hint_ = nullptr;
   TableForm* form_ = nullptr;
+  bool canvas_answers_ = false;
 };
 
 }  // namespace dobra::gui

@@ -9,6 +9,7 @@
 
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
+#include "shared/gui/catalogue/catalogue.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 QString list_item(const QColor& color, const QString& sign, const std::string& words) {
   return QString("<p style='margin:0 0 4px 0'><span style='color:%1'>%2</span> %3</p>")
-      .arg(color.name(), sign, QString::fromStdString(words).toHtmlEscaped());
+      .arg(color.name(), sign, catalogue::translated(QString::fromStdString(words)).toHtmlEscaped());
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 
 #include "shared/base/text.h"
 #include "shared/gui/documents/edit.h"
-#include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
@@ -41,7 +40,8 @@ const std::map<std::string, std::size_t>& commands() {
       {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
       {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
       {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
-      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"states", 6}};
+      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"states", 6},
+      {"action", 2}};
   return all;
 }
 
@@ -164,12 +164,14 @@ Result<void> Script::execute(const Line& line) {
   } else if (command == "zoom") {
     return zoom(line);
   } else if (command == "tool") {
-    if (!window_.draw_bar().take_up(QString::fromStdString(line.rest)))
+    if (!window_.actions().trigger("draw." + line.rest))
       return failure(text("no tool '%1'").arg(QString::fromStdString(line.rest)));
   } else if (command == "point" || command == "click" || command == "drag") {
     return mouse(line);
   } else if (command == "keys") {
     press_keys(QString::fromStdString(line.rest));
+  } else if (command == "action") {
+    return trigger(line.words[1]);
   } else if (command == "look") {
     if (!window_.look_at(QString::fromStdString(line.rest))) return failure(text("write look input, result or both"));
   } else if (command == "add") {
@@ -191,6 +193,21 @@ Result<void> Script::execute(const Line& line) {
       return failure(text("the error bar says '%1'").arg(said));
     }
   }
+  return {};
+}
+
+Result<void> Script::trigger(const std::string& id) {
+  actions::Registry& actions = window_.actions();
+  if (actions.find(id) == nullptr) {
+    std::vector<std::string> ids;
+    for (const actions::Registry::Entry& entry : actions.all()) ids.push_back(entry.action.id);
+    return failure(text("no action '%1'").arg(QString::fromStdString(id)) +
+                   QString::fromStdString(base::did_you_mean(id, ids)));
+  }
+  actions.refresh();
+  if (!actions.find(id)->isEnabled()) return failure(text("'%1' cannot be done now").arg(QString::fromStdString(id)));
+  // Behind this command: a question that it opens does not keep the script waiting.
+  QTimer::singleShot(0, &window_, [&actions, id] { actions.trigger(id); });
   return {};
 }
 

@@ -7,6 +7,7 @@
 // - tool NAME: of the canvas (select, line, trim ...); point X Z, click X Z, drag X Z X Z: the mouse, at places of the
 //   first panel; keys TEXT: letters, one after the other, to where the focus is then, or Enter, Escape, Delete,
 //   Backspace
+// - action ID: as its menu does (file.save, draw.line, step.add.OPERATION ...; the list is the palette's)
 // - look input|result|both: which states are shown
 // - hide LAYER, show LAYER: key, or panel/key
 // - save [PATH], save-picture PATH, screenshot PATH; report PATH: report.json of the last run
@@ -59,6 +60,7 @@ class Script : public QObject {
   void step();
   base::Result<void> execute(const Line& line);
   base::Result<void> select(const std::string& part);
+  base::Result<void> trigger(const std::string& id);
   base::Result<void> zoom(const Line& line);
   base::Result<void> mouse(const Line& line);
   void press_keys(const QString& typed);

@@ -47,6 +47,11 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
 
 base::Result<void> Session::save(const std::filesystem::path& file) {
   const auto moved = [&](const scenario::Document& document) { return documents::at_file(document, program_, file); };
+  if (history_.modified()) {
+    // One that is older than what is saved would be taken for newer after a crash between writing and forgetting.
+    keep_journal();
+    journal_.wait();
+  }
   DOBRA_TRY_VOID(scenario::write_document(moved(document()), file));
   const bool same_place = document().file == file;
   if (!same_place) {

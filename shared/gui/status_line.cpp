@@ -41,12 +41,16 @@ StatusLine::StatusLine(QWidget* parent)
       hint_(new ElidedLabel(this)),
       state_(new ElidedLabel(this)),
       place_(new QLabel(this)),
+      dip_(new ElidedLabel(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
   hint_->setObjectName("status.hint");
   state_->setObjectName("status.state");
   state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  place_->setMinimumWidth(place_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000") + 12);
+  place_->setMinimumWidth(place_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000 m") + 12);
+  place_->setObjectName("status.place");
+  dip_->setObjectName("status.dip");
+  dip_->setFixedWidth(dip_->fontMetrics().horizontalAdvance(text("dip {:.1f}°") + " (horizon)"));
   progress_->setFixedWidth(220);
   progress_->setRange(0, 1000);
   cancel_->setIcon(theme::icon(theme::Symbol::Cancel));
@@ -64,12 +68,14 @@ StatusLine::StatusLine(QWidget* parent)
   addWidget(state_, 1);
   addPermanentWidget(progress_);
   addPermanentWidget(cancel_);
+  addPermanentWidget(dip_);
   addPermanentWidget(place_);
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancel_asked);
 }
 
 void StatusLine::show_hint(const QString& hint) { show_text(*hint_, hint); }
 void StatusLine::show_state(const QString& state) { show_text(*state_, state); }
+void StatusLine::show_dip(const QString& dip) { show_text(*dip_, dip); }
 void StatusLine::show_place(const QString& place) { place_->setText(place); }
 
 void StatusLine::begin_run() {

@@ -21,6 +21,8 @@ class StatusLine : public QStatusBar {
   void show_hint(const QString& hint);
   void show_state(const QString& state);
   void show_place(const QString& place);
+  /// Of the line under the cursor.
+  void show_dip(const QString& dip);
 
   /// The progress of a run is seen from its third tenth of a second on.
   void begin_run();
@@ -34,6 +36,7 @@ class StatusLine : public QStatusBar {
   QLabel* hint_;
   QLabel* state_;
   QLabel* place_;
+  QLabel* dip_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   QTimer patience_;

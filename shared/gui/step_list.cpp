@@ -1,5 +1,6 @@
 #include "shared/gui/step_list.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
@@ -58,25 +59,16 @@ StepList::StepList(const scenario::Program& program, QWidget* parent)
     : QWidget(parent),
       program_(program),
       list_(new QListWidget(this)),
-      remove_(button(theme::Symbol::Remove, text("Remove the step"), "step.remove", this)),
-      up_(button(theme::Symbol::Up, text("Move the step up"), "step.up", this)),
-      down_(button(theme::Symbol::Down, text("Move the step down"), "step.down", this)) {
-  QToolButton* add = button(theme::Symbol::Add, text("Add a step behind the selected one"), "step.add", this);
-  auto* menu = new QMenu(add);
-  menu->setToolTipsVisible(true);
-  for (const scenario::Operation& operation : program_.operations) {
-    QAction* action = menu->addAction(text(operation.title.c_str()));
-    action->setToolTip(text(operation.help.c_str()));
-    connect(action, &QAction::triggered, this, [this, name = operation.name] { emit add_asked(name); });
-  }
+      add_(button(theme::Symbol::Add, text("Add a step behind the selected one"), "button.add", this)),
+      remove_(button(theme::Symbol::Remove, text("Remove the step"), "button.remove", this)),
+      up_(button(theme::Symbol::Up, text("Move the step up"), "button.up", this)),
+      down_(button(theme::Symbol::Down, text("Move the step down"), "button.down", this)) {
   list_->setAccessibleName(text("Steps"));
-  add->setMenu(menu);
-  add->setPopupMode(QToolButton::InstantPopup);
-  add->setEnabled(!program_.operations.empty());
+  setFocusProxy(list_);
 
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(2);
-  for (QToolButton* each : {add, remove_, up_, down_}) buttons->addWidget(each);
+  for (QToolButton* each : {add_, remove_, up_, down_}) buttons->addWidget(each);
   buttons->addStretch(1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -84,13 +76,16 @@ StepList::StepList(const scenario::Program& program, QWidget* parent)
   column->addWidget(list_, 1);
   column->addLayout(buttons);
 
-  connect(list_, &QListWidget::currentRowChanged, this, [this] {
-    show_buttons();
-    emit selected_changed(selected());
-  });
-  connect(remove_, &QToolButton::clicked, this, [this] { emit remove_asked(selected()); });
-  connect(up_, &QToolButton::clicked, this, [this] { emit exchange_asked(selected() - 1, selected() - 1); });
-  connect(down_, &QToolButton::clicked, this, [this] { emit exchange_asked(selected(), selected() + 1); });
+  connect(list_, &QListWidget::currentRowChanged, this, [this] { emit selected_changed(selected()); });
+}
+
+void StepList::use(QMenu& add, QAction& remove, QAction& up, QAction& down) {
+  add_->setMenu(&add);
+  add_->setPopupMode(QToolButton::InstantPopup);
+  add_->setEnabled(!program_.operations.empty());
+  remove_->setDefaultAction(&remove);
+  up_->setDefaultAction(&up);
+  down_->setDefaultAction(&down);
 }
 
 void StepList::show_document(const scenario::Document& document, const std::vector<PartState>& states) {
@@ -112,7 +107,6 @@ void StepList::show_document(const scenario::Document& document, const std::vect
     }
     list_->setCurrentRow(static_cast<int>(std::min(before, document.steps.size())));
   }
-  show_buttons();
   if (selected() != before) emit selected_changed(selected());
 }
 
@@ -120,11 +114,9 @@ std::size_t StepList::selected() const { return static_cast<std::size_t>(std::ma
 
 void StepList::select(std::size_t part) { list_->setCurrentRow(static_cast<int>(part)); }
 
-void StepList::show_buttons() {
-  const std::size_t steps = states_.empty() ? 0 : states_.size() - 1;
-  remove_->setEnabled(selected() >= 1);
-  up_->setEnabled(selected() >= 2);
-  down_->setEnabled(selected() >= 1 && selected() < steps);
+QString StepList::title(std::size_t part) const {
+  const QListWidgetItem* item = list_->item(static_cast<int>(part));
+  return item == nullptr ? QString() : item->text();
 }
 
 }  // namespace dobra::gui

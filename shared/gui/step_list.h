@@ -5,7 +5,9 @@
 
 #include "shared/scenario/program.h"
 
+class QAction;
 class QListWidget;
+class QMenu;
 class QToolButton;
 
 namespace dobra::gui {
@@ -18,11 +20,15 @@ class StepList : public QWidget {
  public:
   explicit StepList(const scenario::Program& program, QWidget* parent = nullptr);
 
+  /// What the buttons do. @pre all outlive the list
+  void use(QMenu& add, QAction& remove, QAction& up, QAction& down);
   /// @param states  one for each part: the input and each step.
   void show_document(const scenario::Document& document, const std::vector<PartState>& states);
   /// 0 the input, k step k.
   [[nodiscard]] std::size_t selected() const;
   void select(std::size_t part);
+  /// As the list calls it: "2  Offset grid · beds".
+  [[nodiscard]] QString title(std::size_t part) const;
   [[nodiscard]] PartState state(std::size_t part) const { return states_.at(part); }
 
  signals:
@@ -34,10 +40,9 @@ class StepList : public QWidget {
   void exchange_asked(std::size_t step, std::size_t selected);
 
  private:
-  void show_buttons();
-
   const scenario::Program& program_;
   QListWidget* list_;
+  QToolButton* add_;
   QToolButton* remove_;
   QToolButton* up_;
   QToolButton* down_;

@@ -63,6 +63,11 @@ void TablesEditor::show_tables(const std::vector<Table>& tables) {
   }
 }
 
+void TablesEditor::canvas_answers() {
+  canvas_answers_ = true;
+  for (const Item& item : items_) item.form->canvas_answers();
+}
+
 TableForm& TablesEditor::open(std::size_t index) {
   DOBRA_CHECK(index < items_.size());
   items_[index].header->setChecked(true);
@@ -90,7 +95,9 @@ void TablesEditor::add_item() {
   top->addWidget(header, 1);
   top->addWidget(remove);
   auto* form = new TableForm(field_.fields, folder_, frame);
+  form->set_table({});
   form->hide();
+  if (canvas_answers_) form->canvas_answers();
   column->addLayout(top);
   column->addWidget(form);
   list_->addWidget(frame);
@@ -107,6 +114,7 @@ void TablesEditor::add_item() {
   });
   connect(remove, &QToolButton::clicked, this, [this, position] { remove_item(position()); });
   connect(form, &TableForm::wants_to_be_seen, this, &TablesEditor::wants_to_be_seen);
+  connect(form, &TableForm::pointing_asked, this, &TablesEditor::pointing_asked);
   connect(form, &TableForm::edited, this, [this, position](const Table&, const QString& key) {
     const std::size_t i = position();
     retitle(i);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/gui/field_editor.h"
 #include "shared/scenario/field.h"
 
 class QToolButton;
@@ -26,11 +27,14 @@ class TablesEditor : public QWidget {
   /// The form of table `index`, opened. @pre index < count()
   TableForm& open(std::size_t index);
   [[nodiscard]] TableForm& form(std::size_t index) const { return *items_[index].form; }
+  /// As of TableForm, of all forms here.
+  void canvas_answers();
 
  signals:
   /// @param key  what changed: "2.name", or "" when a table was added or removed.
   void entered(const std::vector<dobra::scenario::Table>& tables, const QString& key);
   void wants_to_be_seen(QWidget* widget);
+  void pointing_asked(dobra::gui::FieldEditor* editor, const dobra::scenario::Field& field);
 
  private:
   struct Item {
@@ -46,6 +50,7 @@ class TablesEditor : public QWidget {
   scenario::Field field_;
   std::filesystem::path folder_;
   std::vector<Item> items_;
+  bool canvas_answers_ = false;
   QVBoxLayout* list_;
 };
 

@@ -56,6 +56,13 @@ scene::Layer marker_layer(const std::string& key, geom::Point at, const scene::C
 /// "x" of "x [m]".
 QString axis_name(const std::string& title) { return QString::fromStdString(title.substr(0, title.find(" ["))); }
 
+/// "m" of "x [m]"; empty without one.
+QString axis_unit(const std::string& title) {
+  const std::size_t open = title.rfind('[');
+  const bool has_one = open != std::string::npos && title.ends_with(']');
+  return has_one ? QString::fromStdString(title.substr(open + 1, title.size() - open - 2)) : QString();
+}
+
 geom::Point page_point(QPointF pixel) { return {pixel.x(), pixel.y()}; }
 
 }  // namespace
@@ -102,6 +109,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setAccessibleDescription(text("Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans."));
   setMinimumSize(320, 240);
   setCursor(Qt::CrossCursor);
+  clock_.start();
   rest_.setSingleShot(true);
   rest_.setInterval(at_rest);
   connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
@@ -139,7 +147,10 @@ void VtkWidget::initializeGL() {
   show_picture();
 }
 
-void VtkWidget::resizeGL(int, int) { relayout(); }
+void VtkWidget::resizeGL(int, int) {
+  relayout();
+  fill_canvas();
+}
 
 void VtkWidget::relayout() {
   if (!scene_) return;
@@ -193,8 +204,12 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
     const std::optional<geom::Box>& extent = picture.panels[i].extent;
     if (!views[i]) views[i] = scene::View{extent ? extent->centre() : geom::Point{}, *scale};
   }
+  if (looking == Looking::AtAll) history_.clear();
   picture_ = std::move(picture);
   views_ = std::move(views);
+  given_.clear();
+  for (const scene::Panel& panel : picture_.panels) given_.push_back({panel.axes, panel.vertical_exaggeration});
+  dress();
   show_picture();
 }
 
@@ -205,11 +220,75 @@ void VtkWidget::show_picture() {
   hurry();
   scene_->scene.set_picture(picture_);
   scene_->scene.set_views(views_);
+  scene_->scene.set_options(view::with(settings_, scene_->scene.options()));
   relayout();
   doneCurrent();
   frame_is_true_ = false;
   meter_.add(frames::Part::Actors, frames::Meter::milliseconds_since(begin));
+  fill_canvas();
   show_marker();
+}
+
+bool VtkWidget::dress() {
+  bool other = false;
+  for (std::size_t i = 0; i < given_.size(); ++i) {
+    scene::Panel& panel = picture_.panels[i];
+    const scene::Axes axes = view::axes_in(given_[i].axes, settings_.unit);
+    const double wanted = settings_.exaggeration.value_or(filling_);
+    const double exaggeration = view::shows_lengths(panel) ? given_[i].exaggeration * wanted : given_[i].exaggeration;
+    other = other || axes.x_title != panel.axes.x_title || exaggeration != panel.vertical_exaggeration;
+    panel.axes = axes;
+    panel.vertical_exaggeration = exaggeration;
+  }
+  return other;
+}
+
+/// Not while a part is looked at: the picture would change its shape under the cursor.
+void VtkWidget::fill_canvas() {
+  if (!scene_ || settings_.exaggeration) return;
+  const bool whole = std::none_of(views_.begin(), views_.end(), [](const auto& view) { return view.has_value(); });
+  if (!whole || scene_->scene.layout().panels.size() != picture_.panels.size()) return;
+  std::vector<geom::Box> plots;
+  for (const scene::PanelLayout& panel : scene_->scene.layout().panels) plots.push_back(panel.plot);
+  filling_ = view::that_fills(picture_.panels, plots);
+  if (!dress()) return;
+  makeCurrent();
+  scene_->scene.set_picture(picture_);
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  frame_is_true_ = false;
+  emit exaggerated(filling_);
+  show_marker();
+}
+
+void VtkWidget::exaggerate(scene::Picture& picture) const {
+  for (scene::Panel& panel : picture.panels) {
+    if (view::shows_lengths(panel)) panel.vertical_exaggeration *= settings_.exaggeration.value_or(filling_);
+  }
+  if (settings_.panels == view::Panels::Row) picture.arrangement = scene::Arrangement::Row;
+  if (settings_.panels == view::Panels::Column) picture.arrangement = scene::Arrangement::Column;
+}
+
+bool VtkWidget::all_is_seen() const {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const std::optional<geom::Box>& extent = picture_.panels[i].extent;
+    if (!views_[i] || !extent) continue;
+    const scene::PanelLayout& panel = scene_->scene.layout().panels[i];
+    const geom::Box seen = panel.transform.to_world(panel.plot);
+    if (!seen.grown(1e-6 * extent->diagonal()).contains(extent->low)) return false;
+    if (!seen.grown(1e-6 * extent->diagonal()).contains(extent->high)) return false;
+  }
+  return true;
+}
+
+void VtkWidget::set_settings(const view::Settings& settings) {
+  if (settings == settings_) return;
+  const bool fits = scene_ && settings.exaggeration != settings_.exaggeration && all_is_seen();
+  settings_ = settings;
+  if (fits) std::fill(views_.begin(), views_.end(), std::nullopt);
+  dress();
+  show_picture();
+  if (settings_.exaggeration) emit exaggerated(*settings_.exaggeration);
 }
 
 /// On the panel that can show the place, or on the first.
@@ -252,8 +331,10 @@ void VtkWidget::set_layer_visible(const std::string& panel_key, const std::strin
 }
 
 void VtkWidget::fit() {
+  remember(view::Move::Jump);
   std::fill(views_.begin(), views_.end(), std::nullopt);
   if (!scene_) return;
+  fill_canvas();
   makeCurrent();
   scene_->scene.set_views(views_);
   doneCurrent();
@@ -271,8 +352,10 @@ void VtkWidget::zoom(double factor, QPointF at) {
   }
   const double wanted = views[0].world_per_point / factor;
   if (size > 0.0 && (wanted < least_fraction * size || wanted > most_fraction * size)) return;
+  remember(view::Move::Glide);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const geom::Point still = spot && spot->panel == i ? spot->at : views[i].centre;
+    const bool along = spot && goes_along(i, spot->panel);
+    const geom::Point still = along ? views[i].centre + (spot->at - views[spot->panel].centre) : views[i].centre;
     views_[i] = scene::zoom_at(views[i], still, factor);
   }
   move_views();
@@ -281,11 +364,79 @@ void VtkWidget::zoom(double factor, QPointF at) {
 void VtkWidget::pan(QPointF from, QPointF by) {
   const std::optional<Spot> spot = spot_at(from);
   if (!spot) return;
+  remember(view::Move::Glide);
   const std::vector<scene::View> views = scene_->scene.views();
-  for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
   const double exaggeration = picture_.panels[spot->panel].vertical_exaggeration;
-  views_[spot->panel] = scene::pan(views[spot->panel], {by.x(), by.y()}, exaggeration);
+  const geom::Vector moved =
+      scene::pan(views[spot->panel], {by.x(), by.y()}, exaggeration).centre - views[spot->panel].centre;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    views_[i] = views[i];
+    if (goes_along(i, spot->panel)) views_[i]->centre = views[i].centre + moved;
+  }
   move_views();
+}
+
+/// Whether a panel moves where `moved` does: that one itself, and linked ones on the same plane.
+bool VtkWidget::goes_along(std::size_t panel, std::size_t moved) const {
+  const bool linked = settings_.linked == view::Linked::Yes && view::shows_lengths(picture_.panels[panel]) &&
+                      view::shows_lengths(picture_.panels[moved]);
+  return panel == moved || linked;
+}
+
+void VtkWidget::look_at(std::size_t panel, const geom::Box& box) {
+  DOBRA_CHECK(scene_ && panel < picture_.panels.size());
+  const geom::Point middle = box.centre();
+  if (box.empty() || !std::isfinite(middle.x) || !std::isfinite(middle.y)) return;
+  remember(view::Move::Jump);
+  const std::vector<scene::View> views = scene_->scene.views();
+  const geom::Box& plot = scene_->scene.layout().panels[panel].plot;
+  const double exaggeration = picture_.panels[panel].vertical_exaggeration;
+  double scale = views[panel].world_per_point;
+  if (box.width() > 0.0 || box.height() > 0.0)
+    scale = scene::fit(box, plot.width(), plot.height(), exaggeration).world_per_point;
+  if (picture_.panels[panel].extent)
+    scale = std::max(scale, least_fraction * picture_.panels[panel].extent->diagonal());
+  const geom::Vector moved = middle - views[panel].centre;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    views_[i] = scene::View{goes_along(i, panel) ? views[i].centre + moved : views[i].centre, scale};
+  move_views();
+}
+
+view::Looks VtkWidget::looks() const {
+  view::Looks looks;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (views_[i]) looks.emplace(picture_.panels[i].key, *views_[i]);
+  }
+  return looks;
+}
+
+void VtkWidget::remember(view::Move move) { history_.before(looks(), move, clock_.elapsed()); }
+
+void VtkWidget::go_to(const view::Looks& looks) {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const auto at = looks.find(picture_.panels[i].key);
+    views_[i] = at == looks.end() ? std::nullopt : std::optional(at->second);
+  }
+  if (!scene_) return;
+  fill_canvas();
+  move_views();
+}
+
+bool VtkWidget::look_back() {
+  const std::optional<view::Looks> then = history_.back(looks());
+  if (then) go_to(*then);
+  return then.has_value();
+}
+
+bool VtkWidget::look_forward() {
+  const std::optional<view::Looks> then = history_.forward(looks());
+  if (then) go_to(*then);
+  return then.has_value();
+}
+
+geom::Vector VtkWidget::tick_step(std::size_t panel) const {
+  DOBRA_CHECK(scene_ && panel < picture_.panels.size());
+  return scene_->scene.layout().panels[panel].tick_step;
 }
 
 /// Smoothing costs about as much as all the rest of a frame: it comes with the view at rest.
@@ -318,6 +469,7 @@ void VtkWidget::move_views() {
 void VtkWidget::show_place(geom::Point place) {
   if (!scene_ || picture_.panels.empty()) return;
   place_ = place;
+  remember(view::Move::Jump);
   const std::size_t panel = panel_of(place);
   const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
   const std::vector<scene::View> views = scene_->scene.views();
@@ -386,7 +538,8 @@ void VtkWidget::pick(QPointF pixel) {
 }
 
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
-  const bool pans = event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && hand_ == Hand::Ready);
+  const bool hand = hand_ == Hand::Ready || hand_tool_;
+  const bool pans = event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && hand);
   if (pans && dragging_ == Qt::NoButton) {
     dragging_ = event->button();
     drag_ = event->position();
@@ -408,14 +561,17 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   }
   const scene::Panel& panel = picture_.panels[spot->panel];
   const double scale = scene_->scene.views()[spot->panel].world_per_point;
+  const double unit = panel.axes.unit;
   // As many decimals as a pixel can tell apart.
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale))), 0, 12);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale / unit))), 0, 12);
   const auto number = [&](double value) {
-    return QString::fromStdString(canvas::with_decimal_mark(QString::number(value, 'f', decimals).toStdString()));
+    return QString::fromStdString(
+        canvas::with_decimal_mark(QString::number(value / unit, 'f', decimals).toStdString()));
   };
-  emit cursor_moved(
-      QString("%1 = %2   %3 = %4")
-          .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title), number(spot->at.y)));
+  emit cursor_moved(QString("%1 = %2   %3 = %4 %5")
+                        .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title),
+                             number(spot->at.y), axis_unit(panel.axes.y_title))
+                        .trimmed());
 }
 
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
@@ -425,9 +581,23 @@ void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::show_cursor() {
-  setCursor(dragging_ != Qt::NoButton ? Qt::ClosedHandCursor
-            : hand_ == Hand::Ready    ? Qt::OpenHandCursor
-                                      : Qt::CrossCursor);
+  if (dragging_ != Qt::NoButton) {
+    setCursor(Qt::ClosedHandCursor);
+  } else if (hand_ == Hand::Ready || hand_tool_) {
+    setCursor(Qt::OpenHandCursor);
+  } else {
+    setCursor(tool_cursor_);
+  }
+}
+
+void VtkWidget::set_hand(bool on) {
+  hand_tool_ = on;
+  show_cursor();
+}
+
+void VtkWidget::set_tool_cursor(const QCursor& cursor) {
+  tool_cursor_ = cursor;
+  show_cursor();
 }
 
 void VtkWidget::keyPressEvent(QKeyEvent* event) {
@@ -478,6 +648,7 @@ void VtkWidget::focusOutEvent(QFocusEvent* event) {
 /// The view moves over the model, so the model moves the other way. Each panel pans by a part of its own.
 void VtkWidget::pan_by_key(int right, int up) {
   if (!scene_) return;
+  remember(view::Move::Glide);
   const std::vector<scene::View> views = scene_->scene.views();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const geom::Box& plot = scene_->scene.layout().panels[i].plot;

@@ -2,6 +2,8 @@
 // The picture in the window, drawn by VTK: pan with the middle button, zoom at the cursor with the wheel, fit with F or
 // a double click of the middle button, tell what is under the cursor, mark a place.
 
+#include <QCursor>
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
@@ -9,6 +11,8 @@
 
 #include "shared/gui/frames/bench.h"
 #include "shared/gui/frames/meter.h"
+#include "shared/gui/view/history.h"
+#include "shared/gui/view/settings.h"
 #include "shared/scene/pick.h"
 #include "shared/scene/view.h"
 
@@ -26,14 +30,31 @@ class VtkWidget : public QOpenGLWidget {
 
   void set_picture(scene::Picture picture, Looking looking);
   void set_layer_visible(const std::string& panel, const std::string& layer, bool visible);
+  /// How pictures are looked at, this one and those to come. Where all was seen, all is seen again.
+  void set_settings(const view::Settings& settings);
+
+  /// Gives the panels of a picture the exaggeration and the arrangement that they have here.
+  void exaggerate(scene::Picture& picture) const;
 
   /// All of every panel, at the scale they share.
   void fit();
   /// `factor` times nearer, the point under `at` (pixels of the widget) staying where it is. The other panels keep the
   /// common scale.
   void zoom(double factor, QPointF at);
-  /// Moves the panel at `from` by a distance in pixels of the widget.
+  /// Moves the panel at `from` by a distance in pixels of the widget; where panels are linked, all of them.
   void pan(QPointF from, QPointF by);
+  /// All of a box of the model, as large as its panel allows; of a box without size its middle, at the present scale.
+  /// @pre is_ready(), panel < panel_count()
+  void look_at(std::size_t panel, const geom::Box& box);
+  /// The view before the last pan, zoom or fit, and back to it. @return false if there is none.
+  bool look_back();
+  bool look_forward();
+  /// The left button pans.
+  void set_hand(bool on);
+  /// It pans now: by set_hand, or because Space is held.
+  [[nodiscard]] bool hand_is_ready() const { return hand_tool_ || hand_ == Hand::Ready; }
+  /// Shown where nothing pans.
+  void set_tool_cursor(const QCursor& cursor);
 
   /// Puts a marker at a point of the first panel that can show it, and zooms there.
   void show_place(geom::Point place);
@@ -61,11 +82,17 @@ class VtkWidget : public QOpenGLWidget {
   /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()
   [[nodiscard]] QRectF plot(std::size_t panel) const;
   [[nodiscard]] double exaggeration(std::size_t panel) const { return picture_.panels[panel].vertical_exaggeration; }
+  /// In which unit it is shown, and what its axes are called. @pre panel < panel_count()
+  [[nodiscard]] const scene::Axes& axes(std::size_t panel) const { return picture_.panels[panel].axes; }
+  /// From one tick of the axes to the next, world; 0 where there is only one. @pre is_ready(), panel < panel_count()
+  [[nodiscard]] geom::Vector tick_step(std::size_t panel) const;
   /// Where a point of the model stands in the widget.
   [[nodiscard]] QPointF pixel_of(std::size_t panel, geom::Point at) const;
 
  signals:
   void cursor_moved(const QString& where);
+  /// What the picture is drawn with where the settings leave it open.
+  void exaggerated(double exaggeration);
   void picked(const QString& what);
   /// Other places of the model stand in other pixels, or another picture is shown.
   void view_changed();
@@ -96,10 +123,30 @@ class VtkWidget : public QOpenGLWidget {
   void show_cursor();
   void pan_by_key(int right, int up);
   void move_views();
+  /// To be called before the views move.
+  void remember(view::Move move);
+  void go_to(const view::Looks& looks);
+  [[nodiscard]] view::Looks looks() const;
+  /// Axes and exaggeration as the settings say. @return whether any is another now.
+  bool dress();
+  void fill_canvas();
+  [[nodiscard]] bool all_is_seen() const;
+  [[nodiscard]] bool goes_along(std::size_t panel, std::size_t moved) const;
   /// Frames are to be quick from now on, until the view has been at rest for a while.
   void hurry();
 
-  scene::Picture picture_;                         ///< As given.
+  /// What the settings change of a panel, as it was given.
+  struct Given {
+    scene::Axes axes;
+    double exaggeration = 1.0;
+  };
+
+  scene::Picture picture_;  ///< As given, but for what the settings change.
+  std::vector<Given> given_;
+  view::Settings settings_;
+  double filling_ = 1.0;  ///< The exaggeration where the settings leave it open.
+  view::History history_;
+  QElapsedTimer clock_;
   std::optional<geom::Point> place_;               ///< Where the marker stands.
   std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
@@ -111,6 +158,8 @@ class VtkWidget : public QOpenGLWidget {
   bool frame_is_true_ = false;  ///< What was drawn last is the picture as it is now.
   QTimer rest_;                 ///< As long as it runs the view moves, and is drawn without smoothing.
   enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
+  bool hand_tool_ = false;                             ///< It pans all the time.
+  QCursor tool_cursor_ = Qt::CrossCursor;
 };
 
 }  // namespace dobra::gui

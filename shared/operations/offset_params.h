@@ -62,27 +62,36 @@ struct OffsetParams {
     d.choice("side", &OffsetParams::side, {"right", "left", "both"},
              {.title = "Side", .help = "Of travel: right (default; outside of polygons), left, or both as an area."});
     d.choice("caps", &OffsetParams::caps, {"round", "flat", "square"},
-             {.title = "Caps", .help = "With both sides, at the ends of lines; round by default."});
+             {.title = "Caps",
+              .help = "With both sides, at the ends of lines; round by default.",
+              .when = "side = both or dissolve = true"});
     d.choice("pieces", &OffsetParams::pieces, {"longest", "all"},
-             {.title = "Pieces", .help = "Of an open curve on one side; the longest by default."});
+             {.title = "Pieces",
+              .help = "Of an open curve on one side; the longest by default.",
+              .when = "side != both and dissolve = false"});
     d.field(
         "dissolve", &OffsetParams::dissolve,
         {.title = "Dissolve", .help = "Joins all areas to one; lines get both sides unless the side says otherwise."});
     d.choice("join", &OffsetParams::join, {"mitre", "bisector", "round", "bevel"},
              {.title = "Corners", .help = "What fills the outer side of a corner."});
     d.choice("ends", &OffsetParams::ends, {"paper", "trimmed", "extended"},
-             {.title = "Open ends", .help = "trimmed by default: what is nearer than D to any part of the base goes."});
+             {.title = "Open ends",
+              .help = "trimmed by default: what is nearer than D to any part of the base goes.",
+              .when = "side != both and dissolve = false"});
     d.field("mitre_limit", &OffsetParams::mitre_limit,
             {.title = "Mitre limit",
              .help = "Greatest distance of a mitre from its corner, in D; 4 by default.",
-             .at_least = 1});
+             .at_least = 1,
+             .when = "join = mitre"});
     d.field("arc_tolerance", &OffsetParams::arc_tolerance,
             {.title = "Arc tolerance",
              .help = "Greatest distance of a chord from its arc, in D.",
              .above = 0,
              .at_most = 0.5});
     d.field("untreated", &OffsetParams::untreated,
-            {.title = "Untreated", .help = "Raw normals and bisectors: spurious regions stay."});
+            {.title = "Untreated",
+             .help = "Raw normals and bisectors: spurious regions stay.",
+             .when = "side != both and dissolve = false"});
     d.field("closed", &OffsetParams::closed, {.title = "Closed", .help = "Takes every curve as a closed contour."});
     d.field("verify", &OffsetParams::verify,
             {.title = "Verify", .help = "Judges the curves independently; exit code 1 if anything is wrong."});

@@ -400,6 +400,13 @@ std::vector<const vtkActor*> VtkScene::actors_of(std::size_t panel, std::string_
   return impl_->actors_of(panel, layer_key);
 }
 
+void VtkScene::set_options(const scene::LayoutOptions& options) {
+  impl_->options_ = options;
+  impl_->arrange();
+}
+
+const scene::LayoutOptions& VtkScene::options() const { return impl_->options_; }
+
 void VtkScene::set_views(std::vector<std::optional<scene::View>> views) {
   DOBRA_CHECK(views.size() == impl_->picture_.panels.size());
   impl_->views_ = std::move(views);

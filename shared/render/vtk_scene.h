@@ -51,6 +51,10 @@ class VtkScene {
   /// What draws a layer: the same actors as long as the layer stays as it is. @pre panel < number of panels
   [[nodiscard]] std::vector<const vtkActor*> actors_of(std::size_t panel, std::string_view layer_key) const;
 
+  /// How the page is laid out from now on. @cost O(layout).
+  void set_options(const scene::LayoutOptions& options);
+  [[nodiscard]] const scene::LayoutOptions& options() const;
+
   /// One a panel; nothing fits the whole panel. @cost O(layout + dashes in sight), not of the geometry.
   void set_views(std::vector<std::optional<scene::View>> views);
   /// What each panel shows now.

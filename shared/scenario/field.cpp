@@ -354,8 +354,11 @@ std::string field_summary(const Field& field) {
   if (options.at_most) out += (options.above || options.at_least ? " and <= " : " <= ") + plain(*options.at_most);
   if (options.other_than) out += " other than " + plain(*options.other_than);
   if (!options.unit.empty()) out += fmt::format(" [{}]", options.unit);
-  if (options.presence == Presence::Required) return out + ", required";
-  if (field.default_value) out += ", default " + value_toml(*field.default_value);
+  if (options.presence == Presence::Required)
+    out += ", required";
+  else if (field.default_value)
+    out += ", default " + value_toml(*field.default_value);
+  if (!options.when.empty()) out += "; only if " + options.when;
   return out;
 }
 

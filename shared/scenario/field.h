@@ -51,7 +51,11 @@ struct FieldOptions {
   std::optional<double> other_than = std::nullopt;
   std::vector<FileKind> files = {};     ///< File only: what is read; empty: not said.
   std::vector<std::string> words = {};  ///< Text only: what it may be, where that is a list; empty: not said.
-  std::string names = "";  ///< Text and Texts: what of the model it names, "fault" (Program::names_of); empty: nothing.
+  /// Text and Texts: what of the model it names, "fault" (Program::names_of); Number: which coordinate of a place it
+  /// is, "x" or "z"; empty: nothing.
+  std::string names = "";
+  /// Where it has an effect: "method = shear", "kind in arc, circle and file is set" (condition.h); empty: always.
+  std::string when = "";
   Presence presence = Presence::Optional;
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "shared/base/text.h"
+#include "shared/scenario/condition.h"
 #include "shared/scenario/units.h"
 
 namespace dobra::scenario {
@@ -154,6 +155,19 @@ base::Result<void> check(const Document& document, const Program& program) {
                          step_label(document, number)));
   }
   return check_names(document);
+}
+
+std::vector<std::string> without_effect(const Document& document, const Program& program) {
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& part, const Table& table, const std::vector<Field>& fields) {
+    for (const std::string& one : without_effect(table, fields)) told.push_back(fmt::format("{}: {}", part, one));
+  };
+  tell("input", document.input, program.input_fields);
+  for (std::size_t i = 0; i < document.steps.size(); ++i) {
+    const Operation* operation = program.find_operation(document.steps[i].operation);
+    if (operation != nullptr) tell(step_label(document, i + 1), document.steps[i].params, operation->fields);
+  }
+  return told;
 }
 
 }  // namespace dobra::scenario

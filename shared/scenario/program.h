@@ -176,6 +176,11 @@ struct Program {
   std::function<UnitSystem(const State&)> units_of{};
   /// What of a state is called `what` (FieldOptions::names), for forms that offer it; may be left out.
   std::function<std::vector<std::string>(const State&, const std::string& what)> names_of{};
+  /// The name of a `what` (FieldOptions::names) of a state whose line was pointed at, or that lies at the place; empty:
+  /// there is none. May be left out.
+  std::function<std::string(const State&, const std::string& what, const std::optional<scene::Pick>& line,
+                            geom::Point at)>
+      name_at{};
   Drawing drawing{};
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
@@ -205,5 +210,9 @@ base::Result<void> check_program(const Document& document, const Program& progra
 /// Judges program name, input and all parameters against the program's fields, without running anything.
 /// @error WrongProgram, UnknownOperation (with a suggestion), and those of check(), each with its place.
 base::Result<void> check(const Document& document, const Program& program);
+
+/// What is set in the document and has no effect beside what else is set (FieldOptions::when), each with its part:
+/// "step 2 (restore): 'angle' has no effect with method = constant".
+std::vector<std::string> without_effect(const Document& document, const Program& program);
 
 }  // namespace dobra::scenario

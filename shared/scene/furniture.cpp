@@ -424,6 +424,19 @@ void add_end_letters(const Panel& panel, const geom::Box& plot, const Font& font
   }
 }
 
+void add_grid(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
+              std::vector<Mark>& marks) {
+  const geom::Box& plot = place.plot;
+  for (const Tick& tick : x_ticks) {
+    const double x = place.transform.to_page({tick.value, 0.0}).x;
+    marks.push_back(LineMark{{x, plot.low.y}, {x, plot.high.y}, grid_color, 0.75, Dash::Solid});
+  }
+  for (const Tick& tick : y_ticks) {
+    const double y = place.transform.to_page({0.0, tick.value}).y;
+    marks.push_back(LineMark{{plot.low.x, y}, {plot.high.x, y}, grid_color, 0.75, Dash::Solid});
+  }
+}
+
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
               const Font& font, const TextMeasure& measure, std::vector<Mark>& marks) {
   const geom::Box& plot = place.plot;

@@ -14,6 +14,7 @@ namespace dobra::scene {
 
 constexpr Color ink{38, 38, 42};
 constexpr Color frame_color{96, 96, 102};
+constexpr Color grid_color{70, 80, 95, 70};
 constexpr double tick_length = 4.0;
 constexpr double tick_gap = 3.0;  ///< Between a tick and its label, and a label and an axis title.
 
@@ -93,6 +94,10 @@ std::vector<std::optional<geom::Box>> places_of_names(const Panel& panel, const 
 /// The letters of a panel over the corners of its plot.
 void add_end_letters(const Panel& panel, const geom::Box& plot, const Font& font, const TextMeasure& measure,
                      std::vector<Mark>& marks);
+
+/// Faint lines across a plot at the ticks.
+void add_grid(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
+              std::vector<Mark>& marks);
 
 /// Frame, ticks and tick labels of a plot. Labels stand left of it and below it.
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,

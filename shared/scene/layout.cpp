@@ -53,6 +53,8 @@ struct Block {
   [[nodiscard]] double height() const { return top + plot_height + bottom; }
 };
 
+double tick_step(const std::vector<Tick>& ticks) { return ticks.size() < 2 ? 0.0 : ticks[1].value - ticks[0].value; }
+
 class Arranger {
  public:
   Arranger(const Picture& picture, const PageSize& page, std::span<const std::optional<View>> views,
@@ -422,8 +424,13 @@ void Arranger::update_bottom(const PageSize& room) {
   const bool window = options_.plots == Plots::FillPage;
   const double unlimited = std::numeric_limits<double>::infinity();
   const double most = legend_share * (on_paper() ? paper_height(page_.width) : window ? room.height : unlimited);
-  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_,
-                   window ? SmallPrint::No : SmallPrint::Yes);
+  legend_ = {};
+  if (options_.legend == Legends::Usual) {
+    legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_,
+                     window ? SmallPrint::No : SmallPrint::Yes);
+  } else if (options_.legend == Legends::Compact) {
+    legend_ = legend(picture_, {width - beside, 1.0}, tick_font_, measure_, SmallPrint::No);
+  }
   if (window && legend_.height > 0.4 * room.height) legend_ = {};
 }
 
@@ -456,8 +463,11 @@ std::size_t Arranger::best_columns() const {
 
 void Arranger::arrange() {
   const bool window = options_.plots == Plots::FillPage && have_extents(picture_.panels);
-  if ((picture_.arrangement == Arrangement::Grid || on_paper() || window) && blocks_.size() > 1)
+  if (options_.arrangement && *options_.arrangement != Arrangement::Grid) {
+    columns_ = *options_.arrangement == Arrangement::Column ? 1 : std::max<std::size_t>(blocks_.size(), 1);
+  } else if ((picture_.arrangement == Arrangement::Grid || on_paper() || window) && blocks_.size() > 1) {
     columns_ = best_columns();
+  }
   settle();
 }
 
@@ -502,8 +512,10 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
   place.plot.high = place.plot.low + geom::Vector{block.plot_width, block.plot_height};
   place.view = block.view;
   place.transform = transform_of(block.view, place.plot, block.exaggeration);
+  place.tick_step = {tick_step(block.x_ticks), tick_step(block.y_ticks)};
   made.panels.push_back(place);
   add_labels(panel, place, measure_, made.marks);
+  if (options_.grid == GridLines::On) add_grid(place, block.x_ticks, block.y_ticks, made.marks);
   add_axes(place, block.x_ticks, block.y_ticks, tick_font_, measure_, made.marks);
 
   // Titles stand over the middle of the plot, moved inwards where they would leave the panel.

@@ -30,18 +30,30 @@ enum class LongTables { Cut, NextPages };
 /// How large the plots are: as their content asks (files), or all that the page leaves (windows).
 enum class Plots { ToContent, FillPage };
 
+/// Lines over a plot at the ticks of its axes.
+enum class GridLines { Off, On };
+
+/// Compact: one line of small print.
+enum class Legends { Usual, Compact, Off };
+
 struct LayoutOptions {
   Plots plots = Plots::ToContent;
   double margin = 10.0;      ///< Blank border of the page, points.
   double text_size = 9.0;    ///< Axis titles, legend; tick labels are one point smaller, titles larger.
   double least_plot = 48.0;  ///< Width and height that a plot has at least, points.
   LongTables long_tables = LongTables::Cut;
+  /// Row or Column: all panels so, whatever draws them larger.
+  std::optional<Arrangement> arrangement = std::nullopt;
+  GridLines grid = GridLines::Off;
+  Legends legend = Legends::Usual;
 };
 
 struct PanelLayout {
   geom::Box plot;       ///< Page coordinates; layers are clipped to it.
   View view;            ///< What the plot shows.
   Transform transform;  ///< World to page.
+  /// From one tick to the next, world; 0 where there are less than two.
+  geom::Vector tick_step{0.0, 0.0};
 };
 
 struct Layout {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 
 namespace {
@@ -157,6 +158,48 @@ TEST_P(Windows, AKilledWindowLosesNothing) {
   ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + recover), 0);
   EXPECT_NE(read("example/saved.toml").find("factor = 1.1"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(document + ".unsaved"));
+}
+
+/// Killed at moments that chance gives, amid edits and savings: no more than the last edit is lost, and no file is left
+/// half written. DOBRA_KILLS=100 asks it a hundred times.
+TEST_P(Windows, KilledAtAnyMomentNoMoreThanTheLastEditIsLost) {
+  const std::string name = GetParam();
+  const char* asked = std::getenv("DOBRA_KILLS");
+  const int kills = asked == nullptr ? 2 : std::atoi(asked);
+  std::filesystem::copy(example(name).parent_path(), path("example"));
+  const std::string document = path("example/" + example(name).filename().string());
+  std::string edits = "wait\nselect " + std::string(name == "recon" ? "1" : "2") + "\n";
+  for (int i = 1; i <= 400; ++i) {
+    edits += "set factor 1.1" + std::to_string(1000 + i) + "\nlongest-gap " + path("marks/" + std::to_string(i)) + "\n";
+    if (i % 7 == 0) edits += "save\n";
+  }
+  std::string commands = "cp " + document + " " + path("original") + "\n";
+  std::mt19937 random(29);
+  for (int i = 0; i < kills; ++i) {
+    const std::string result = path("result." + std::to_string(i));
+    commands += "rm -rf " + path("marks") + " " + document + ".unsaved; mkdir " + path("marks") + "; cp " +
+                path("original") + " " + document + "\n" + program(name) + " " + document + " --script " +
+                write("edits.txt", edits) + " & pid=$!\nfor i in $(seq 600); do test -e " + path("marks/1") +
+                " && break; sleep 0.1; done\nsleep " + std::to_string(static_cast<double>(random() % 2000) / 1000.0) +
+                "\nkill -9 $pid\nwait $pid\nls " + path("marks") + " | sort -n | tail -1 > " + result + ".last\n" +
+                "cp " + document + " " + result + "\ntest -e " + document + ".unsaved && cp " + document + ".unsaved " +
+                result + "\n";
+  }
+  commands += "true\n";
+  ASSERT_EQ(run("xvfb-run -a sh " + write("kills.sh", commands) + " 2> " + path("said")), 0) << read("said");
+  for (int i = 0; i < kills; ++i) {
+    const std::string left = read("result." + std::to_string(i));
+    const int last = std::stoi(read("result." + std::to_string(i) + ".last"));
+    const std::size_t at = left.find("factor = 1.1");
+    ASSERT_NE(at, std::string::npos) << i << ", last " << last << ": " << left;
+    const int kept = std::stoi(left.substr(at + 12)) - 1000;
+    EXPECT_GE(kept, last - 1) << i;
+    EXPECT_LE(kept, last + 1) << i;
+    std::ofstream(path("example/left.toml")) << left;
+    const int code = run("env -u DISPLAY " + program(name) + " run " + path("example/left.toml") + " --quiet --out " +
+                         path("out") + " > /dev/null 2>&1");
+    EXPECT_TRUE(code == 0 || code == 1) << code << ": " << left;  // an expectation may fail now
+  }
 }
 
 TEST_P(Windows, WithoutADisplayTheMessageSaysWhatToDo) {

@@ -19,6 +19,62 @@ void for_each_line(const scene::Panel& panel, Visitor&& visit) {
   }
 }
 
+const std::string ghost = "ghost.";
+
+scene::Color faint(scene::Color color) {
+  const auto paler = [](std::uint8_t part) { return static_cast<std::uint8_t>(255 - (255 - part) * 2 / 5); };
+  return {paler(color.red), paler(color.green), paler(color.blue), color.alpha};
+}
+
+/// The lines of the input that a panel has elsewhere, or not at all.
+std::vector<scene::Layer> ghosts_in(const scene::Panel& panel, const scene::Panel& input) {
+  std::map<scene::Pick, const geom::Polyline*> there;
+  for_each_line(panel, [&](const scene::Pick& pick, const geom::Polyline& line) { there[pick] = &line; });
+  std::vector<scene::Layer> ghosts;
+  for (const scene::Layer& layer : input.layers) {
+    const auto* lines = std::get_if<scene::Lines>(&layer.content);
+    if (lines == nullptr) continue;
+    scene::Lines other;
+    for (std::uint32_t i = 0; i < lines->lines.size(); ++i) {
+      const std::uint32_t id = lines->ids.empty() ? i : lines->ids[i];
+      const auto known = there.find({layer.key, id});
+      if (known != there.end() && *known->second == lines->lines[i]) continue;
+      other.lines.push_back(lines->lines[i]);
+      other.ids.push_back(id);
+    }
+    if (other.lines.empty()) continue;
+    scene::Layer made = layer;
+    made.key = ghost + layer.key;
+    made.style.line = faint(layer.style.line);
+    made.style.dash = scene::Dash::Solid;
+    made.in_legend = scene::InLegend::No;
+    made.content = std::move(other);
+    ghosts.push_back(std::move(made));
+  }
+  return ghosts;
+}
+
+/// Whether a length in one is the same in the other.
+bool same_plane(const scene::Panel& a, const scene::Panel& b) {
+  return a.axes.scale == scene::AxisScale::Linear && b.axes.scale == scene::AxisScale::Linear &&
+         a.axes.x_title == b.axes.x_title && a.axes.y_title == b.axes.y_title;
+}
+
+void haunt(scene::Panel& panel, const scene::Panel& input) {
+  if (!same_plane(panel, input)) return;
+  std::vector<scene::Layer> ghosts = ghosts_in(panel, input);
+  if (panel.extent) {
+    for (const scene::Layer& layer : ghosts) panel.extent->add(scene::extent(layer));
+  }
+  const auto fills = [](const scene::Layer& layer) {
+    return !std::holds_alternative<scene::Lines>(layer.content) &&
+           !std::holds_alternative<scene::Markers>(layer.content) &&
+           !std::holds_alternative<scene::Labels>(layer.content);
+  };
+  const auto last = std::find_if(panel.layers.rbegin(), panel.layers.rend(), fills);
+  panel.layers.insert(last.base(), std::make_move_iterator(ghosts.begin()), std::make_move_iterator(ghosts.end()));
+}
+
 bool shows_input(const scene::Panel& panel, const Outcome& outcome) {
   const std::set<scene::Pick> same = lines_of_input(panel, outcome);
   bool all = true;
@@ -48,15 +104,34 @@ std::set<scene::Pick> lines_of_input(const scene::Panel& panel, const Outcome& o
   std::set<scene::Pick> same;
   for (const scene::Panel& of_input : outcome.input->panels) {
     for_each_line(of_input, [&](const scene::Pick& pick, const geom::Polyline& line) {
-      const auto found = shown.find(pick);
-      if (found != shown.end() && *found->second == line) same.insert(pick);
+      for (const scene::Pick& known : {pick, scene::Pick{ghost + pick.layer, pick.id}}) {
+        const auto found = shown.find(known);
+        if (found != shown.end() && *found->second == line) same.insert(known);
+      }
     });
   }
   return same;
 }
 
-scene::Picture picture_of(const Outcome& outcome, Shown shown) {
+scene::Pick of_input(scene::Pick pick) {
+  if (pick.layer.starts_with(ghost)) pick.layer.erase(0, ghost.size());
+  return pick;
+}
+
+scene::Picture picture_of(const Outcome& outcome, Shown shown, Beside beside) {
   if (!outcome.picture) return {};
+  const bool two = outcome.input && outcome.input != outcome.picture && !outcome.input->panels.empty();
+  if (two && beside == Beside::Ghost && shown != Shown::Input) {
+    scene::Picture made = *outcome.picture;
+    // The panel of the input gives its place to the ghost, where another is left on the same plane.
+    const scene::Panel& input = outcome.input->panels.front();
+    const auto is_input = [&](const scene::Panel& panel) { return shows_input(panel, outcome); };
+    const bool others = std::any_of(made.panels.begin(), made.panels.end(),
+                                    [&](const auto& panel) { return !is_input(panel) && same_plane(panel, input); });
+    if (others) std::erase_if(made.panels, is_input);
+    for (scene::Panel& panel : made.panels) haunt(panel, input);
+    return made;
+  }
   if (!outcome.input || outcome.input == outcome.picture || shown == Shown::Result) return *outcome.picture;
   if (shown == Shown::Input) return *outcome.input;
   scene::Picture both = *outcome.picture;

@@ -247,6 +247,24 @@ void draw_show_both(QPainter& p) {
   p.drawLine(QPointF(2, 18), QPointF(22, 18));
 }
 
+void draw_hand(QPainter& p) {
+  QPainterPath hand(QPointF(7, 13));
+  hand.lineTo(4.5, 10.5);
+  hand.lineTo(3, 12);
+  hand.lineTo(8, 20);
+  hand.lineTo(16, 20);
+  hand.lineTo(19, 14);
+  hand.lineTo(19, 7.5);
+  p.drawPath(hand);
+  for (const double x : {7.0, 11.0, 15.0, 19.0}) p.drawLine(QPointF(x, x == 19.0 ? 7 : 4), QPointF(x, 12));
+}
+void draw_zoom_window(QPainter& p) {
+  p.drawEllipse(QPointF(9.5, 9.5), 6.5, 6.5);
+  p.drawLine(QPointF(14.5, 14.5), QPointF(21, 21));
+  p.setPen(QPen(blue, 1.6));
+  p.drawRect(QRectF(6.5, 7.5, 6, 4));
+}
+
 Draw drawing_of(Symbol symbol) {
   switch (symbol) {
     case Symbol::Open:
@@ -329,6 +347,10 @@ Draw drawing_of(Symbol symbol) {
       return draw_show_result;
     case Symbol::ShowBoth:
       return draw_show_both;
+    case Symbol::Hand:
+      return draw_hand;
+    case Symbol::ZoomWindow:
+      return draw_zoom_window;
   }
   return draw_pending;
 }

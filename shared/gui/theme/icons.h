@@ -47,7 +47,9 @@ enum class Symbol {
   Snap,
   ShowInput,
   ShowResult,
-  ShowBoth
+  ShowBoth,
+  Hand,
+  ZoomWindow
 };
 
 QIcon icon(Symbol symbol);

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "shared/io/formats/format.h"
@@ -19,7 +20,8 @@ std::vector<FileKind> file_kinds(const std::vector<io::formats::Use>& uses);
 template <class P, class D>
 class LineKeys {
  public:
-  explicit LineKeys(D& d) : d_(d) {}
+  /// @param when  the condition of all keys, "file is set" where points may be given instead.
+  explicit LineKeys(D& d, std::string when = "") : d_(d), when_(std::move(when)) {}
 
   /// As a member of P where it is one of a base.
   template <class T, class B>
@@ -80,7 +82,9 @@ class LineKeys {
   }
   void reference() {
     field("reference", of(&P::reference),
-          {.title = "Reference", .help = "With y_axis = \"down\": the value at height 0, in units of the file."});
+          {.title = "Reference",
+           .help = "With y_axis = \"down\": the value at height 0, in units of the file.",
+           .when = "y_axis != up"});
   }
   void unit(const char* unsaid, std::vector<std::string> names) {
     choice(
@@ -133,21 +137,26 @@ class LineKeys {
     if (unsaid != nullptr) names.insert(names.begin(), unsaid);
     return names;
   }
+  [[nodiscard]] FieldOptions with_condition(FieldOptions options) const {
+    options.when = when_ + (when_.empty() || options.when.empty() ? "" : " and ") + options.when;
+    return options;
+  }
   template <class T>
   void field(const char* key, T P::*member, const FieldOptions& options) {
-    d_.field(key, member, options);
+    d_.field(key, member, with_condition(options));
   }
   template <class E>
   void choice(const char* key, E P::*member, const std::vector<std::string>& names, const FieldOptions& options) {
-    d_.choice(key, member, names, options);
+    d_.choice(key, member, names, with_condition(options));
   }
   template <class T>
   void length(const char* key, T P::*member, const char* title, const char* help) {
     FieldOptions options{.title = title, .help = help, .unit = "m"};
     if constexpr (std::is_same_v<T, double>) options.at_least = 0.0;  // else the repair refuses what is not above 0
-    d_.field(key, member, options);
+    d_.field(key, member, with_condition(options));
   }
   D& d_;
+  std::string when_;
 };
 
 }  // namespace dobra::scenario::lines

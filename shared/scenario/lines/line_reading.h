@@ -26,8 +26,8 @@ struct LineReading {
   FileUnit unit = FileUnit::File;
 
   template <class P, class D>
-  static void describe_in(D& d) {
-    LineKeys<P, D> keys(d);
+  static void describe_in(D& d, const char* when = "") {
+    LineKeys<P, D> keys(d, when);
     keys.format();
     keys.columns();
     keys.name_columns();

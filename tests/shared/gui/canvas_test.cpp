@@ -46,7 +46,7 @@ class CanvasTest : public test::WindowFixture {
     QCoreApplication::sendEvent(&window.view(), &event);
   }
   void key(Qt::Key key) { QTest::keyClick(&window.view(), key); }
-  void take_up(const char* tool) { ASSERT_TRUE(window.draw_bar().take_up(tool)); }
+  void take_up(const char* tool) { ASSERT_TRUE(window.actions().trigger(std::string("draw.") + tool)); }
   /// Types a name into the question what was drawn, and presses Enter.
   void answer(const char* name) {
     auto* timer = new QTimer(&window);
@@ -189,7 +189,7 @@ TEST_F(CanvasTest, EveryToolHasAnActionWithAKeyAndAnIcon) {
     EXPECT_FALSE(action->icon().isNull()) << action->text().toStdString();
     EXPECT_TRUE(keys.insert(action->shortcut().toString()).second) << action->text().toStdString();
   }
-  EXPECT_EQ(tools, 16);
+  EXPECT_EQ(tools, 18);
 }
 
 TEST_F(CanvasTest, TheFirstLineIsDrawnInAnEmptyWindow) {

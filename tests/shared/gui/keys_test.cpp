@@ -1,7 +1,10 @@
 // What is typed reaches the document by the keys and clicks that a person uses.
 
 #include <QAccessible>
+#include <QAction>
+#include <QClipboard>
 #include <QLabel>
+#include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -287,10 +290,8 @@ TEST_F(Keys, NoJournalStaysWhereNothingIsUnsaved) {
 TEST_F(Keys, RecentFilesAreInTheMenuAndOpen) {
   open_waves();
   ASSERT_TRUE(window.save(folder / "second.toml").ok());
-  QMenu* recent = nullptr;
-  for (QMenu* menu : window.findChildren<QMenu*>()) {
-    if (menu->title() == "Open &Recent") recent = menu;
-  }
+  ASSERT_NE(window.actions().find("file.recent"), nullptr);
+  QMenu* recent = window.actions().find("file.recent")->menu();
   ASSERT_NE(recent, nullptr);
   emit recent->aboutToShow();
   ASSERT_GE(recent->actions().size(), 2);
@@ -298,6 +299,62 @@ TEST_F(Keys, RecentFilesAreInTheMenuAndOpen) {
   recent->actions().at(1)->trigger();
   settle();
   EXPECT_EQ(window.session().document().file.filename(), "waves.toml");
+}
+
+TEST_F(Keys, AStepIsCopiedAsTextAndPastedBehindTheSelectedOne) {
+  open_waves();
+  click(window.steps().findChild<QListWidget*>()->viewport());
+  window.steps().setFocus();
+  window.select(1);
+  press(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(),
+            "[[step]]\noperation = \"stack\"\nname = \"grid\"\ncount = 4\ndistance = 50.0\n");
+  emit window.steps().add_asked("lift");
+  window.select(1);
+  window.steps().setFocus();
+  press(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_EQ(window.session().document().steps.size(), 3U);
+  EXPECT_EQ(window.session().document().steps[1].operation, "stack");
+  EXPECT_EQ(window.session().document().steps[2].operation, "lift");
+  EXPECT_EQ(window.steps().selected(), 2U);
+  window.session().undo();
+  EXPECT_EQ(window.session().document().steps.size(), 2U);
+}
+
+TEST_F(Keys, PastedTextThatIsNoStepIsRefusedAndChangesNothing) {
+  open_waves();
+  const std::string before = text();
+  QApplication::clipboard()->setText("[[step]]\noperation = \"stack\"\ncount = \"many\"\n");
+  click(window.steps().findChild<QListWidget*>()->viewport());
+  window.steps().setFocus();
+  press(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(text(), before);
+  EXPECT_FALSE(window.session().history().can_undo());
+  EXPECT_TRUE(window.error_bar().message().contains("clipboard:3")) << window.error_bar().message().toStdString();
+}
+
+/// In a field the keys copy and paste its own text.
+TEST_F(Keys, CopyAndPasteInAFieldAreTheFields) {
+  open_waves();
+  write("note", "words");
+  press(Qt::Key_A, Qt::ControlModifier);
+  press(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(), "words");
+  press(Qt::Key_End);
+  press(Qt::Key_V, Qt::ControlModifier);
+  press(Qt::Key_Return);
+  EXPECT_EQ(*stack().find("note"), scenario::Value("wordswords"));
+  EXPECT_EQ(window.session().document().steps.size(), 1U);
+}
+
+TEST_F(Keys, TheCommandThatDoesWhatTheWindowShowsIsCopied) {
+  EXPECT_FALSE(window.actions().find("edit.copy_command")->isEnabled());
+  open_waves();
+  write("count", "7");
+  ASSERT_TRUE(window.actions().trigger("edit.copy_command"));
+  EXPECT_EQ(QApplication::clipboard()->text().toStdString(), "waves run " + (folder / "waves.toml").string() +
+                                                                 " --out " + (folder / "waves_results").string() +
+                                                                 " --set steps.1.count=7\n");
 }
 
 std::string described(const QWidget* widget) {

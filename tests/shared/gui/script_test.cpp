@@ -65,6 +65,18 @@ TEST_F(ScriptTest, ErrorOfARunCanBeExpected) {
   EXPECT_EQ(run("wait\nexpect-error crosses itself\nquit\n"), 1);
 }
 
+TEST_F(ScriptTest, ActionDoesWhatItsMenuDoes) {
+  EXPECT_EQ(run("wait\naction step.add.lift\nwait\naction edit.undo\nwait\naction edit.redo\nwait\nsave " +
+                path("lifted.toml") + "\nquit\n"),
+            0);
+  EXPECT_NE(folder.read("lifted.toml").find("operation = \"lift\""), std::string::npos);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run("action edit.unda\n"), 1);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("'edit.undo'"), std::string::npos) << said;
+  EXPECT_EQ(run("wait\naction edit.redo\n"), 1);
+}
+
 TEST_F(ScriptTest, KeysGoWhereTheOnesBeforeThemHaveMovedTheFocus) {
   EXPECT_EQ(run("wait\ntool line\nkeys 10;20.5\nkeys Enter\nkeys @100<0\nkeys Enter\nkeys Enter\nkeys A long name\n"
                 "keys Enter\nwait\nsave " +

@@ -1,0 +1,29 @@
+#pragma once
+// What can be said of lines, and selections made at once. Page: docs/user/canvas.md.
+
+#include <string>
+#include <vector>
+
+#include "shared/canvas/line_text.h"
+#include "shared/canvas/workspace.h"
+
+namespace dobra::canvas {
+
+/// Every line that can be edited.
+Selection all_lines(const Workspace& work);
+/// Those of all_lines that are not selected.
+Selection other_lines(const Workspace& work);
+
+/// "Top: 125.3 m, 12 vertices"; of several lines how many, and their sums. Empty where nothing is selected.
+std::string selection_text(const Workspace& work);
+
+/// The dip of a segment, whatever the exaggeration of the view: "dip 30.2°", "dip 30.2° (Top)".
+std::string dip_text(const Workspace& work, const Snap& on);
+
+/// Round the selected vertices, or where there are none the selected lines; empty where nothing is selected.
+geom::Box selection_box(const Workspace& work);
+
+/// The selected lines, each with the title of its layer.
+std::vector<NamedLine> selected_lines(const Workspace& work);
+
+}  // namespace dobra::canvas

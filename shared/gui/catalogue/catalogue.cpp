@@ -1,0 +1,123 @@
+#include "shared/gui/catalogue/catalogue.h"
+
+#include <QFile>
+#include <QStringList>
+#include <algorithm>
+
+#include "shared/base/check.h"
+
+namespace dobra::gui::catalogue {
+
+namespace {
+
+constexpr int deepest = 4;
+
+/// A template in its fixed parts, with the number of the argument behind each but the last.
+struct Parts {
+  QStringList fixed;
+  std::vector<int> arguments;
+};
+
+Parts parts_of(const QString& line) {
+  static const QRegularExpression argument(R"(\{(\d*)\})");
+  Parts parts;
+  qsizetype begin = 0;
+  int next = 0;
+  for (auto matches = argument.globalMatch(line); matches.hasNext();) {
+    const QRegularExpressionMatch match = matches.next();
+    parts.fixed << line.mid(begin, match.capturedStart() - begin);
+    parts.arguments.push_back(match.captured(1).isEmpty() ? next : match.captured(1).toInt());
+    ++next;
+    begin = match.capturedEnd();
+  }
+  parts.fixed << line.mid(begin);
+  return parts;
+}
+
+base::Error bad_line(qsizetype number, const char* what) {
+  base::Place place;
+  place.line = static_cast<std::size_t>(number + 1);
+  return {base::ErrorCode::BadFormat, what, place};
+}
+
+Catalogue& installed() {
+  static Catalogue catalogue;
+  return catalogue;
+}
+
+}  // namespace
+
+Catalogue::Catalogue(const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries) {
+    const Parts parts = parts_of(entry.source);
+    Pattern pattern{parts.fixed.front(), {}, {}, entry.translation, 0};
+    QString expression = "^";
+    for (qsizetype i = 0; i < parts.fixed.size(); ++i) {
+      expression += QRegularExpression::escape(parts.fixed[i]);
+      pattern.letters += parts.fixed[i].size();
+      if (i + 1 == parts.fixed.size()) break;
+      expression += "(.*?)";
+      pattern.quoted.push_back(parts.fixed[i].endsWith('\'') || parts.fixed[i].endsWith('"'));
+    }
+    pattern.expression = QRegularExpression(expression + "$", QRegularExpression::DotMatchesEverythingOption);
+    patterns_.push_back(std::move(pattern));
+  }
+  std::stable_sort(patterns_.begin(), patterns_.end(),
+                   [](const Pattern& a, const Pattern& b) { return a.letters > b.letters; });
+}
+
+std::optional<QString> Catalogue::said(const QString& message, int depth) const {
+  if (depth > deepest) return std::nullopt;
+  for (const Pattern& pattern : patterns_) {
+    if (!message.startsWith(pattern.start)) continue;
+    const QRegularExpressionMatch match = pattern.expression.match(message);
+    if (!match.hasMatch()) continue;
+    const Parts parts = parts_of(pattern.translation);
+    QString made = parts.fixed.front();
+    for (std::size_t i = 0; i < parts.arguments.size(); ++i) {
+      const int argument = parts.arguments[i];
+      const QString given = match.captured(argument + 1);
+      made += pattern.quoted[static_cast<std::size_t>(argument)] ? given : said(given, depth + 1).value_or(given);
+      made += parts.fixed[static_cast<qsizetype>(i) + 1];
+    }
+    return made;
+  }
+  return std::nullopt;
+}
+
+QString Catalogue::translated(const QString& message) const { return said(message, 0).value_or(message); }
+
+bool Catalogue::knows(const QString& message) const {
+  return said(message, 0).has_value();
+}
+
+base::Result<std::vector<Entry>> read_entries(const QString& written) {
+  std::vector<Entry> entries;
+  const QStringList lines = written.split('\n');
+  for (qsizetype i = 0; i < lines.size(); ++i) {
+    if (lines[i].isEmpty() || lines[i].startsWith('#')) continue;
+    if (i + 1 == lines.size() || lines[i + 1].isEmpty()) return bad_line(i, "a template without a translation");
+    Entry entry{lines[i], lines[i + 1]};
+    std::vector<int> taken = parts_of(entry.source).arguments;
+    std::vector<int> given = parts_of(entry.translation).arguments;
+    std::sort(taken.begin(), taken.end());
+    std::sort(given.begin(), given.end());
+    if (taken != given) return bad_line(i + 1, "the translation has other arguments than the template");
+    entries.push_back(std::move(entry));
+    ++i;
+  }
+  return entries;
+}
+
+const Catalogue& current() { return installed(); }
+
+void install(const QString& language) {
+  installed() = {};
+  QFile file(":/translations/messages_" + language + ".txt");
+  if (!file.open(QIODevice::ReadOnly)) return;
+  const base::Result<std::vector<Entry>> entries = read_entries(QString::fromUtf8(file.readAll()));
+  DOBRA_CHECK(entries.ok());  // a file of our own, judged by a test
+  installed() = Catalogue(*entries);
+}
+
+}  // namespace dobra::gui::catalogue

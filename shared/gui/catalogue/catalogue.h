@@ -1,0 +1,57 @@
+#pragma once
+// Messages of the library in the user's language. The library says a message as one English line, made of a template and
+// arguments ("'{}' must be {}, found {}"). The catalogue holds templates with their translations; a message is
+// recognised by the fixed words of a template and said in the other one, with the same arguments. Arguments are messages
+// again ("a number"), but what stands in quotes is the user's own and stays. Page: docs/contributing.md.
+
+#include <QRegularExpression>
+#include <QString>
+#include <vector>
+
+#include "shared/base/result.h"
+
+namespace dobra::gui::catalogue {
+
+/// A template and its translation: {} or {0}, {1} stand for arguments; lines of their own in a file of messages.
+struct Entry {
+  QString source;
+  QString translation;
+};
+
+class Catalogue {
+ public:
+  Catalogue() = default;
+  explicit Catalogue(const std::vector<Entry>& entries);
+
+  /// The message in the other language; itself where no template fits. Of several that fit the one with the most fixed
+  /// letters wins. @cost a regular expression for each template whose first letters fit
+  [[nodiscard]] QString translated(const QString& message) const;
+  /// Whether a template fits the message.
+  [[nodiscard]] bool knows(const QString& message) const;
+  [[nodiscard]] std::size_t size() const { return patterns_.size(); }
+
+ private:
+  struct Pattern {
+    QString start;  ///< The fixed letters before the first argument.
+    QRegularExpression expression;
+    std::vector<bool> quoted;  ///< Of each argument: stands in quotes.
+    QString translation;
+    qsizetype letters = 0;
+  };
+  [[nodiscard]] std::optional<QString> said(const QString& message, int depth) const;
+
+  std::vector<Pattern> patterns_;  ///< Those with more fixed letters first.
+};
+
+/// Reads a file of messages: pairs of lines, template and translation, with blank lines and lines of # between them.
+/// @error BadFormat with the number of the line: a template without a translation, or with other arguments.
+base::Result<std::vector<Entry>> read_entries(const QString& text);
+
+/// That of the user's language, in the resources of the window; empty in English. Set by install.
+const Catalogue& current();
+void install(const QString& language);
+
+/// By the current catalogue.
+inline QString translated(const QString& message) { return current().translated(message); }
+
+}  // namespace dobra::gui::catalogue
