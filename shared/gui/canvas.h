@@ -79,9 +79,6 @@ class Canvas : public QObject {
   /// What is selected from now on; lines that are not there any more are left out.
   void select(canvas::Selection selection);
 
-  /// In the place of the hint, until the next click or key.
-  void say(const QString& message);
-
   /// As if the tool in hand had made it.
   void carry_out(const canvas::Edited& edited);
 

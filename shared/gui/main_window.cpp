@@ -28,9 +28,9 @@
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
-#include "shared/gui/view/exaggeration_box.h"
 #include "shared/gui/vertices/pointing.h"
 #include "shared/gui/vertices/vertex_panel.h"
+#include "shared/gui/view/exaggeration_box.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
 

@@ -40,8 +40,7 @@ const std::map<std::string, std::size_t>& commands() {
       {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
       {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
       {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
-      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"states", 6},
-      {"action", 2}};
+      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"states", 6},      {"action", 2}};
   return all;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// Which fields of a table matter: the small language of FieldOptions::when. A condition is made of requirements of other
-// fields of the same table, "method = shear", "kind in arc, circle", "outside != refuse", "file is set", joined by "and",
-// and these by "or", which binds less. Flags are true or false. Units that go by a choice ("Pa, N if kind = force") name
-// their fields in the same way.
+// Which fields of a table matter: the small language of FieldOptions::when. A condition is made of requirements of
+// other fields of the same table, "method = shear", "kind in arc, circle", "outside != refuse", "file is set", joined
+// by "and", and these by "or", which binds less. Flags are true or false. Units that go by a choice ("Pa, N if kind =
+// force") name their fields in the same way.
 
 #include <optional>
 #include <string>

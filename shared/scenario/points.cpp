@@ -51,8 +51,9 @@ void Points::append(const std::vector<geom::Point>& points, std::size_t begin, s
   while (begin < end) {
     // Two of equal length rather than a long one and a few points.
     const std::size_t rest = end - begin;
-    const std::size_t length =
-        rest <= run_length ? rest : rest < 2 * run_length ? (rest + 1) / 2 : std::size_t{run_length};
+    const std::size_t length = rest <= run_length      ? rest
+                               : rest < 2 * run_length ? (rest + 1) / 2
+                                                       : std::size_t{run_length};
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(begin);
     append(std::make_shared<const std::vector<geom::Point>>(first, first + static_cast<std::ptrdiff_t>(length)));
     begin += length;

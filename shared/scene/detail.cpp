@@ -96,8 +96,10 @@ Region seen_region(const Region& region, const Sight& sight) {
     Polyline part{contour.points, true};
     if (!holds(sight.window, part.points)) {
       const geom::Box& window = sight.window;
-      for (const auto& [axis, limit, sign] : {std::tuple{&Point::x, window.low.x, -1.0}, {&Point::x, window.high.x, 1.0},
-                                              {&Point::y, window.low.y, -1.0}, {&Point::y, window.high.y, 1.0}}) {
+      for (const auto& [axis, limit, sign] : {std::tuple{&Point::x, window.low.x, -1.0},
+                                              {&Point::x, window.high.x, 1.0},
+                                              {&Point::y, window.low.y, -1.0},
+                                              {&Point::y, window.high.y, 1.0}}) {
         if (!part.points.empty()) part.points = cut_off(part.points, axis, limit, sign);
       }
     }

@@ -126,9 +126,7 @@ class Editor {
   /// @return whether the document has become another.
   bool edit() {
     const int what = below(20);
-    const base::Result<scenario::Document> made = what < 15    ? edit_line()
-                                                  : what == 15 ? add_line()
-                                                               : edit_step(what);
+    const base::Result<scenario::Document> made = what < 15 ? edit_line() : what == 15 ? add_line() : edit_step(what);
     if (!made) return false;
     session_.edit(*made, "An edit");
     return true;

@@ -75,7 +75,7 @@ class Monkey {
     return focused != nullptr ? focused : static_cast<QWidget*>(&window_.view());
   }
   Qt::KeyboardModifiers modifiers() {
-    constexpr Qt::KeyboardModifier some[] = {Qt::NoModifier,      Qt::NoModifier,  Qt::NoModifier,
+    constexpr Qt::KeyboardModifier some[] = {Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier,
                                              Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
     return some[below(6)];
   }
@@ -115,12 +115,11 @@ class Monkey {
   }
 
   void press_key(QWidget* where) {
-    constexpr int keys[] = {Qt::Key_Return, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Delete, Qt::Key_Backspace,
-                            Qt::Key_Tab,    Qt::Key_Space,  Qt::Key_Left,   Qt::Key_Right,  Qt::Key_Up,
-                            Qt::Key_Down,   Qt::Key_Home,   Qt::Key_End,    Qt::Key_Plus,   Qt::Key_Minus,
-                            Qt::Key_Comma,  Qt::Key_Period, Qt::Key_At,     Qt::Key_Less,   Qt::Key_F2,
-                            Qt::Key_F3,     Qt::Key_F5,     Qt::Key_F7,     Qt::Key_F8,     Qt::Key_F9,
-                            Qt::Key_F12,    Qt::Key_Menu};
+    constexpr int keys[] = {
+        Qt::Key_Return, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_Tab, Qt::Key_Space,
+        Qt::Key_Left,   Qt::Key_Right,  Qt::Key_Up,     Qt::Key_Down,   Qt::Key_Home,      Qt::Key_End, Qt::Key_Plus,
+        Qt::Key_Minus,  Qt::Key_Comma,  Qt::Key_Period, Qt::Key_At,     Qt::Key_Less,      Qt::Key_F2,  Qt::Key_F3,
+        Qt::Key_F5,     Qt::Key_F7,     Qt::Key_F8,     Qt::Key_F9,     Qt::Key_F12,       Qt::Key_Menu};
     const int kind = below(10);
     Qt::KeyboardModifiers held = modifiers();
     int key = 0;
@@ -152,8 +151,8 @@ class Monkey {
   void click_widget() {
     QList<QWidget*> widgets;
     for (QWidget* each : window_.findChildren<QWidget*>()) {
-      const bool of_use = qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QLineEdit*>(each) != nullptr ||
-                          qobject_cast<QComboBox*>(each) != nullptr ||
+      const bool of_use = qobject_cast<QAbstractButton*>(each) != nullptr ||
+                          qobject_cast<QLineEdit*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
                           qobject_cast<QAbstractItemView*>(each->parentWidget()) != nullptr;
       if (of_use && each->isVisible() && each->isEnabled()) widgets.push_back(each);
     }
@@ -176,8 +175,9 @@ class Monkey {
     }
     if (fields.isEmpty()) return;
     QLineEdit* chosen = fields[below(static_cast<int>(fields.size()))];
-    constexpr const char* texts[] = {"1",  "0",     "-3.5",  "1e300", "nan", "12,5", "abc", "",       "Limestone", "a, b",
-                                     "[]", "[1,2]", "1e-30", "7 m",   "\"",  "\\",   "0 0", "@10<45", "100",       "2"};
+    constexpr const char* texts[] = {"1",  "0",         "-3.5", "1e300",  "nan",   "12,5",  "abc",
+                                     "",   "Limestone", "a, b", "[]",     "[1,2]", "1e-30", "7 m",
+                                     "\"", "\\",        "0 0",  "@10<45", "100",   "2"};
     const char* typed = texts[below(static_cast<int>(std::size(texts)))];
     note("type ", typed, " into ", chosen->objectName().toStdString());
     chosen->setFocus();

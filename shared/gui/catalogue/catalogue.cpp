@@ -87,9 +87,7 @@ std::optional<QString> Catalogue::said(const QString& message, int depth) const 
 
 QString Catalogue::translated(const QString& message) const { return said(message, 0).value_or(message); }
 
-bool Catalogue::knows(const QString& message) const {
-  return said(message, 0).has_value();
-}
+bool Catalogue::knows(const QString& message) const { return said(message, 0).has_value(); }
 
 base::Result<std::vector<Entry>> read_entries(const QString& written) {
   std::vector<Entry> entries;

@@ -1,8 +1,8 @@
 #pragma once
-// Messages of the library in the user's language. The library says a message as one English line, made of a template and
-// arguments ("'{}' must be {}, found {}"). The catalogue holds templates with their translations; a message is
-// recognised by the fixed words of a template and said in the other one, with the same arguments. Arguments are messages
-// again ("a number"), but what stands in quotes is the user's own and stays. Page: docs/contributing.md.
+// Messages of the library in the user's language. The library says a message as one English line, made of a template
+// and arguments ("'{}' must be {}, found {}"). The catalogue holds templates with their translations; a message is
+// recognised by the fixed words of a template and said in the other one, with the same arguments. Arguments are
+// messages again ("a number"), but what stands in quotes is the user's own and stays. Page: docs/contributing.md.
 
 #include <QRegularExpression>
 #include <QString>

@@ -51,9 +51,8 @@ base::Result<Document> with_steps_of(const std::string& text, Document document,
   DOBRA_TRY(const Document pasted, parsed(program, text));
   DOBRA_TRY_VOID(scenario::check_program(pasted, program));
   if (pasted.steps.empty()) {
-    return Error{ErrorCode::BadValue,
-                 base::translated("the clipboard holds no step; copy text that begins with [[step]]"),
-                 {}};
+    return Error{
+        ErrorCode::BadValue, base::translated("the clipboard holds no step; copy text that begins with [[step]]"), {}};
   }
   if (is_whole(text) && pasted.units.text() != document.units.text()) {
     return Error{ErrorCode::BadValue,
@@ -63,7 +62,8 @@ base::Result<Document> with_steps_of(const std::string& text, Document document,
   }
   for (std::size_t step = 1; step <= pasted.steps.size(); ++step) {
     DOBRA_TRY(const scenario::Operation* operation, scenario::operation_of(pasted, step, program));
-    DOBRA_TRY_VOID(scenario::check(pasted.steps[step - 1].params, scenario::fields_in(operation->fields, document.units),
+    DOBRA_TRY_VOID(scenario::check(pasted.steps[step - 1].params,
+                                   scenario::fields_in(operation->fields, document.units),
                                    scenario::step_label(pasted, step)));
   }
   document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(after), pasted.steps.begin(),
@@ -87,8 +87,9 @@ namespace {
 
 /// As a shell takes it for one word.
 std::string quoted(const std::string& word) {
-  if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@") ==
-                           std::string::npos)
+  if (!word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@") ==
+          std::string::npos)
     return word;
   std::string out = "'";
   for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -139,8 +140,8 @@ std::string command_of(const Document& document, const Program& program, const s
   }
   std::string command = fmt::format("{} run {} --out {}", program.name, quoted(file.string()), quoted(out.string()));
   if (!all_said) {
-    return "# " + base::translated("Not all changes of the window are in the file: save it before you run this.") + '\n' +
-           command + '\n';
+    return "# " + base::translated("Not all changes of the window are in the file: save it before you run this.") +
+           '\n' + command + '\n';
   }
   for (const std::string& assignment : assignments) command += " --set " + quoted(assignment);
   return command + '\n';

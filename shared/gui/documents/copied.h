@@ -14,8 +14,8 @@ std::string part_text(const scenario::Document& document, std::size_t part);
 
 /// With the steps of `text` behind part `after`; `text` is that of steps, or of a whole scenario.
 /// @pre after <= document.steps.size()
-/// @error BadSyntax and those of parse_document, with the line of the text; BadValue where it has no step, or numbers in
-/// other units; UnknownOperation, and those of scenario::check, for what the program does not take
+/// @error BadSyntax and those of parse_document, with the line of the text; BadValue where it has no step, or numbers
+/// in other units; UnknownOperation, and those of scenario::check, for what the program does not take
 base::Result<scenario::Document> with_pasted(scenario::Document document, const scenario::Program& program,
                                              std::size_t after, const std::string& text);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The vertices of lines as a table: nothing is kept a row, so that a line of 200 000 vertices opens at once. A cell that
-// is typed into tells what is wanted; the table shows it when the document has it.
+// The vertices of lines as a table: nothing is kept a row, so that a line of 200 000 vertices opens at once. A cell
+// that is typed into tells what is wanted; the table shows it when the document has it.
 
 #include <QAbstractTableModel>
 #include <span>

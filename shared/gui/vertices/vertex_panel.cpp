@@ -23,8 +23,8 @@ namespace dobra::gui::vertices {
 
 namespace {
 
-constexpr std::size_t most_in_list = 2000;       ///< Lines that the list names; more are chosen on the canvas.
-constexpr std::size_t most_chosen_rows = 5000;   ///< Vertices of the canvas that are marked in the table.
+constexpr std::size_t most_in_list = 2000;      ///< Lines that the list names; more are chosen on the canvas.
+constexpr std::size_t most_chosen_rows = 5000;  ///< Vertices of the canvas that are marked in the table.
 
 QString text_of(const std::string& source) { return QString::fromStdString(source); }
 
@@ -156,7 +156,8 @@ void VertexPanel::show_lines() {
   for (const auto& [pick, vertices] : work_->selection) {
     if (!own_) add(pick);
   }
-  const bool fixed = !shown.empty() && std::none_of(shown.begin(), shown.end(), [](const auto& l) { return l.editable; });
+  const bool fixed =
+      !shown.empty() && std::none_of(shown.begin(), shown.end(), [](const auto& l) { return l.editable; });
   reason_->setText(fixed ? text_of(canvas::made_by_a_step()) : QString());
   reason_->setVisible(fixed);
   for (QToolButton* each : editing_) each->setEnabled(!shown.empty() && !fixed);
@@ -176,7 +177,8 @@ void VertexPanel::show_rows() {
       if (first < 0) first = row;
       // Neighbours are one range: a thousand rows are not a thousand ranges.
       if (!rows.isEmpty() && rows.back().bottom() == row - 1)
-        rows.back() = QItemSelectionRange(model_.index(rows.back().top(), 0), model_.index(row, model_.columnCount() - 1));
+        rows.back() =
+            QItemSelectionRange(model_.index(rows.back().top(), 0), model_.index(row, model_.columnCount() - 1));
       else
         rows.append(QItemSelectionRange(model_.index(row, 0), model_.index(row, model_.columnCount() - 1)));
     }

@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "shared/gui/canvas.h"
-#include "shared/gui/draw_bar.h"
+#include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
 #include "tests/shared/gui/window_fixture.h"
 
@@ -132,7 +132,7 @@ TEST_F(PointingTest, EscapeAndAnotherToolLeaveTheFieldAsItWas) {
   QTest::keyClick(&window.view(), Qt::Key_Escape);
   EXPECT_FALSE(window.canvas().is_asking());
   QTest::mouseClick(point_at(), Qt::LeftButton);
-  ASSERT_TRUE(window.draw_bar().take_up("measure"));
+  ASSERT_TRUE(window.actions().trigger("draw.measure"));
   EXPECT_FALSE(window.canvas().is_asking());
   click_canvas({400, 0});
   EXPECT_EQ(text(), before);
@@ -159,8 +159,7 @@ TEST_F(PointingTest, TheFocusedFieldSaysWhatItIsForAndMayHold) {
   window.select(1);
   click(editor("count"));
   auto* hint = window.findChild<QLabel*>("form.hint");
-  EXPECT_EQ(hint->text().toStdString(),
-            "Number of curves: How many curves. at least 1, at most 40, default 3.");
+  EXPECT_EQ(hint->text().toStdString(), "Number of curves: How many curves. at least 1, at most 40, default 3.");
 }
 
 }  // namespace

@@ -125,10 +125,10 @@ TEST(Condition, WhatIsSetInVainIsNamedWithWhatItMissesInRowsToo) {
   table.set("angle", 3.0);
   table.set("feature", std::string("f"));
   table.set("top", 1.0);
-  EXPECT_EQ(without_effect(table, fields_of<Work>()),
-            (std::vector<std::string>{"'angle' has no effect with method = constant",
-                                      "'feature' has no effect without file",
-                                      "'top' has no effect with jigsaw = false"}));
+  EXPECT_EQ(
+      without_effect(table, fields_of<Work>()),
+      (std::vector<std::string>{"'angle' has no effect with method = constant", "'feature' has no effect without file",
+                                "'top' has no effect with jigsaw = false"}));
   const Field rows{"work", Kind::Tables, {}, {}, std::nullopt, fields_of<Work>()};
   Table outer;
   Table second;

@@ -121,10 +121,12 @@ TEST(Points, AThousandEditsOfAVertexAmongTwoHundredThousandTakeLessThanAHundredM
   EXPECT_LT(added, 100'000'000u);
   EXPECT_GT(added, 1000 * sizeof(geom::Point));  // they are all there
   // The oldest is still what it was, and the newest is all of the edits.
-  EXPECT_EQ(std::get<Points>(*std::get<std::vector<Table>>(*history[0]->input.find("horizon"))[3].find("points")).list(),
-            line_of(count));
+  EXPECT_EQ(
+      std::get<Points>(*std::get<std::vector<Table>>(*history[0]->input.find("horizon"))[3].find("points")).list(),
+      line_of(count));
   double moved = 0.0;
-  const Points last = std::get<Points>(*std::get<std::vector<Table>>(*history[1000]->input.find("horizon"))[3].find("points"));
+  const Points last =
+      std::get<Points>(*std::get<std::vector<Table>>(*history[1000]->input.find("horizon"))[3].find("points"));
   const List start = line_of(count);
   for (std::size_t i = 0; i < count; ++i) moved += last[i].y - start[i].y;
   EXPECT_NEAR(moved, 500.0, 1e-6);

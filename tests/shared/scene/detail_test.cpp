@@ -44,7 +44,8 @@ double nearest(const std::vector<Polyline>& lines, Point at, bool closed) {
       const Point a = line.points[i];
       const Point b = line.points[(i + 1) % line.points.size()];
       const double l2 = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-      const double t = l2 > 0.0 ? std::clamp(((at.x - a.x) * (b.x - a.x) + (at.y - a.y) * (b.y - a.y)) / l2, 0.0, 1.0) : 0.0;
+      const double t =
+          l2 > 0.0 ? std::clamp(((at.x - a.x) * (b.x - a.x) + (at.y - a.y) * (b.y - a.y)) / l2, 0.0, 1.0) : 0.0;
       least = std::min(least, std::hypot(at.x - a.x - t * (b.x - a.x), at.y - a.y - t * (b.y - a.y)));
     }
   }
@@ -61,7 +62,7 @@ TEST(Detail, LinesKeepWhatCanBeSeenAndNoMore) {
     EXPECT_EQ(seen[0].points.front(), lines[0].points.front());
     EXPECT_EQ(seen[0].points.back(), lines[0].points.back());
   }
-  EXPECT_LT(seen_lines(lines, {1.0, everywhere})[0].points.size(), 60u);  // the ripple cannot be seen
+  EXPECT_LT(seen_lines(lines, {1.0, everywhere})[0].points.size(), 60u);    // the ripple cannot be seen
   EXPECT_GT(seen_lines(lines, {0.1, everywhere})[0].points.size(), 2000u);  // here it can
 }
 
@@ -132,7 +133,9 @@ TEST(Detail, PicturesShareWhatIsEqual) {
   };
   const Picture before = picture(10.0);
   Picture after = picture(20.0);
-  const auto lines = [](const Picture& p, std::size_t i) { return std::get<Lines>(p.panels[0].layers[i].content).lines; };
+  const auto lines = [](const Picture& p, std::size_t i) {
+    return std::get<Lines>(p.panels[0].layers[i].content).lines;
+  };
   EXPECT_FALSE(lines(after, 0).is(lines(before, 0)));
   share_with(after, before);
   EXPECT_TRUE(lines(after, 0).is(lines(before, 0)));

@@ -25,12 +25,13 @@ TEST(Catalogue, FilesThatAreWrongAreToldWithTheirLine) {
 }
 
 const Catalogue& small() {
-  static const Catalogue catalogue(std::vector<Entry>{{"'{}' must be {}, found {}", "'{}' precisa ser {}, e é {}"},
-                                                      {"'{}' must be {}, found '{}'", "'{}' precisa ser {}, e é '{}'"},
-                                                      {"a number", "um número"},
-                                                      {"found", "achado"},
-                                                      {"{} of {} lie there (a+b) [x]*", "de {1}, {0} estão lá (a+b) [x]*"},
-                                                      {"greater than {}", "maior que {}"}});
+  static const Catalogue catalogue(
+      std::vector<Entry>{{"'{}' must be {}, found {}", "'{}' precisa ser {}, e é {}"},
+                         {"'{}' must be {}, found '{}'", "'{}' precisa ser {}, e é '{}'"},
+                         {"a number", "um número"},
+                         {"found", "achado"},
+                         {"{} of {} lie there (a+b) [x]*", "de {1}, {0} estão lá (a+b) [x]*"},
+                         {"greater than {}", "maior que {}"}});
   return catalogue;
 }
 

@@ -64,8 +64,7 @@ TEST_F(Copied, WhatIsNoStepOfTheProgramIsRefusedWithItsLine) {
 
 TEST_F(Copied, TheCommandSaysWhatWasEditedSinceTheFileWasWritten) {
   const scenario::Document disk = read(text);
-  EXPECT_EQ(command_of(disk, program, disk),
-            "waves run '/data/my waves.toml' --out '/data/my waves_results'\n");
+  EXPECT_EQ(command_of(disk, program, disk), "waves run '/data/my waves.toml' --out '/data/my waves_results'\n");
   scenario::Document edited = disk;
   edited.steps[0].params.set("count", std::int64_t{7});
   edited.steps[0].params.set("note", std::string("it's two words"));

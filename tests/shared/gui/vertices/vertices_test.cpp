@@ -51,9 +51,9 @@ TEST(VertexRows, WhatIsNoRowOfTwoNumbersIsRefusedWithItsPlace) {
 
 TEST(VertexRows, TabsSemicolonsBlanksAndBothDecimalMarksAreRead) {
   const std::vector<Point> wanted{{1.5, -2.25}, {1e3, 0.0}};
-  for (const char* rows : {"1.5\t-2.25\n1000\t0\n", "1,5\t-2,25\r\n1000\t0\r\n", "1,5;-2,25\n1e3;0", "1.5 -2.25\n1000 0",
-                           "1.5, -2.25\n1000, 0\n", "1.5,-2.25\n1000,0", "x\tz\n\n1,5\t-2,25\n\n1000\t0\n",
-                           "  1.5\t -2.25 \r1000\t0\r"}) {
+  for (const char* rows :
+       {"1.5\t-2.25\n1000\t0\n", "1,5\t-2,25\r\n1000\t0\r\n", "1,5;-2,25\n1e3;0", "1.5 -2.25\n1000 0",
+        "1.5, -2.25\n1000, 0\n", "1.5,-2.25\n1000,0", "x\tz\n\n1,5\t-2,25\n\n1000\t0\n", "  1.5\t -2.25 \r1000\t0\r"}) {
     const auto points = points_of_rows(rows);
     ASSERT_TRUE(points) << rows << ": " << points.error().message;
     EXPECT_EQ(*points, wanted) << rows;
