@@ -2958,6 +2958,8 @@
     <message>
         <source>Of trishear: the full angle of the triangle.</source>
         <translation>Do trishear: o ângulo inteiro do triângulo.</translation>
+    </message>
+    <message>
         <source>Kinematics from beds</source>
         <translation>Cinemática a partir de camadas</translation>
     </message>
@@ -3004,6 +3006,8 @@
     <message>
         <source>Of trishear: how far the tip goes a metre of slip.</source>
         <translation>Do trishear: quanto a ponta avança por metro de rejeito.</translation>
+    </message>
+    <message>
         <source>Of trishear: how far the tip goes a metre of slip; one number or limits.</source>
         <translation>Do trishear: quanto a ponta avança por metro de deslizamento; um número ou limites.</translation>
     </message>
@@ -3030,6 +3034,8 @@
     <message>
         <source>Of a fault-propagation fold whose fault has its flat alone yet.</source>
         <translation>De uma dobra de propagação de falha cuja falha só tem ainda o patamar.</translation>
+    </message>
+    <message>
         <source>Of trishear: one number or limits; by default 1.</source>
         <translation>Do trishear: um número ou limites; por padrão 1.</translation>
     </message>
@@ -3080,6 +3086,8 @@
     <message>
         <source>0 is the input, k the section after k restorations and moves.</source>
         <translation>0 é a entrada, k a seção após k restaurações e movimentos.</translation>
+    </message>
+    <message>
         <source>Only these, or groups of them, are restored, each with a pin of its own; the rest stays.</source>
         <translation>Só estes, ou grupos deles, são restaurados, cada um com seu próprio pino; o resto fica.</translation>
     </message>
@@ -3138,6 +3146,8 @@
     <message>
         <source>Pins</source>
         <translation>Pinos</translation>
+    </message>
+    <message>
         <source>Direction that restored beds have, anticlockwise from +x; by default each bed has its own.</source>
         <translation>Direção que as camadas restauradas têm, anti-horária a partir de +x; por padrão cada camada tem a sua.</translation>
     </message>
@@ -3652,6 +3662,8 @@
     <message>
         <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
         <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
+    </message>
+    <message>
         <source>Open &amp;Recent</source>
         <translation>Abrir &amp;recente</translation>
     </message>
@@ -3690,10 +3702,6 @@
     <message>
         <source>Remarks</source>
         <translation>Observações</translation>
-    </message>
-    <message>
-        <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
-        <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
     </message>
     <message>
         <source>no tool &apos;%1&apos;</source>
@@ -3758,6 +3766,38 @@
     <message>
         <source>Such as #1a2b3c; by default the usual ones, one after the other.</source>
         <translation>Como #1a2b3c; por padrão as usuais, uma depois da outra.</translation>
+    </message>
+    <message>
+        <source>row %1: '%2' is not a number</source>
+        <translation>linha %1: '%2' não é um número</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 numbers; copy two columns, x and z</source>
+        <translation>a linha %1 tem %2 números; copie duas colunas, x e z</translation>
+    </message>
+    <message>
+        <source>there are no rows of two numbers to paste</source>
+        <translation>não há linhas de dois números para colar</translation>
+    </message>
+    <message>
+        <source>'%1' is not a number</source>
+        <translation>'%1' não é um número</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Inserir</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Colar</translation>
     </message>
     <message>
         <source>Drag to move the view; the wheel zooms; Escape goes back to Select</source>
@@ -3885,7 +3925,7 @@
     </message>
     <message>
         <source>Usual</source>
-        <translation>Usual</translation>
+        <translation>Habitual</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -3914,36 +3954,58 @@
     <message>
         <source>Delete</source>
         <translation>Excluir</translation>
-        <source>row %1: '%2' is not a number</source>
-        <translation>linha %1: '%2' não é um número</translation>
     </message>
     <message>
-        <source>row %1 has %2 numbers; copy two columns, x and z</source>
-        <translation>a linha %1 tem %2 números; copie duas colunas, x e z</translation>
+        <source>%1 lines</source>
+        <translation>%1 linhas</translation>
     </message>
     <message>
-        <source>there are no rows of two numbers to paste</source>
-        <translation>não há linhas de dois números para colar</translation>
+        <source>No line is selected</source>
+        <translation>Nenhuma linha está selecionada</translation>
     </message>
     <message>
-        <source>'%1' is not a number</source>
-        <translation>'%1' não é um número</translation>
+        <source>Select the rows that are to go.</source>
+        <translation>Selecione as linhas que devem sair.</translation>
     </message>
     <message>
-        <source>No.</source>
-        <translation>N.º</translation>
+        <source>Paste vertices</source>
+        <translation>Colar vértices</translation>
     </message>
     <message>
-        <source>Vertices</source>
-        <translation>Vértices</translation>
+        <source>Point at it on the canvas</source>
+        <translation>Apontar no desenho</translation>
     </message>
     <message>
-        <source>Insert</source>
-        <translation>Inserir</translation>
+        <source>Has no effect without '%1'.</source>
+        <translation>Não tem efeito sem '%1'.</translation>
     </message>
     <message>
-        <source>Paste</source>
-        <translation>Colar</translation>
+        <source>Has no effect with '%1': %2.</source>
+        <translation>Não tem efeito com '%1': %2.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sim</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>não</translation>
+    </message>
+    <message>
+        <source>Click the line for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique na linha para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>Click the place for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique no lugar para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>This is nothing for '%1': click another line, or press Escape.</source>
+        <translation>Isto não serve para '%1': clique em outra linha ou tecle Escape.</translation>
+    </message>
+    <message>
+        <source>(at %1, %2)</source>
+        <translation>(em %1, %2)</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -4016,6 +4078,8 @@
     <message>
         <source>&amp;Invert the selection</source>
         <translation>&amp;Inverter a seleção</translation>
+    </message>
+    <message>
         <source>Type what you want to do</source>
         <translation>Digite o que quer fazer</translation>
     </message>
@@ -4088,8 +4152,12 @@
         <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
     </message>
     <message>
-        <source>Copy step as scenario te&amp;xt</source>
-        <translation>Copiar a etapa como te&amp;xto de cenário</translation>
+        <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
+        <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
+    </message>
+    <message>
+        <source>Copy step as &amp;scenario text</source>
+        <translation>Copiar a etapa como &amp;texto de cenário</translation>
     </message>
     <message>
         <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
@@ -4130,62 +4198,6 @@
     <message>
         <source>Not all changes of the window are in the file: save it before you run this.</source>
         <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
-        <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
-        <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
-        <source>Delete</source>
-        <translation>Apagar</translation>
-    </message>
-    <message>
-        <source>%1 lines</source>
-        <translation>%1 linhas</translation>
-    </message>
-    <message>
-        <source>No line is selected</source>
-        <translation>Nenhuma linha está selecionada</translation>
-    </message>
-    <message>
-        <source>Select the rows that are to go.</source>
-        <translation>Selecione as linhas que devem sair.</translation>
-    </message>
-    <message>
-        <source>Paste vertices</source>
-        <translation>Colar vértices</translation>
-    </message>
-    <message>
-        <source>Point at it on the canvas</source>
-        <translation>Apontar no desenho</translation>
-    </message>
-    <message>
-        <source>Has no effect without '%1'.</source>
-        <translation>Não tem efeito sem '%1'.</translation>
-    </message>
-    <message>
-        <source>Has no effect with '%1': %2.</source>
-        <translation>Não tem efeito com '%1': %2.</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>sim</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>não</translation>
-    </message>
-    <message>
-        <source>Click the line for '%1'; Escape leaves it as it is.</source>
-        <translation>Clique na linha para '%1'; Escape deixa como está.</translation>
-    </message>
-    <message>
-        <source>Click the place for '%1'; Escape leaves it as it is.</source>
-        <translation>Clique no lugar para '%1'; Escape deixa como está.</translation>
-    </message>
-    <message>
-        <source>This is nothing for '%1': click another line, or press Escape.</source>
-        <translation>Isto não serve para '%1': clique em outra linha ou tecle Escape.</translation>
-    </message>
-    <message>
-        <source>(at %1, %2)</source>
-        <translation>(em %1, %2)</translation>
     </message>
 </context>
 </TS>

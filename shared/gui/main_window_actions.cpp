@@ -162,7 +162,7 @@ void MainWindow::add_edit_actions() {
                   .run = [this, name = operation.name] { emit steps_->add_asked(name); }});
   }
   actions_.add({.id = "edit.copy_step",
-                .text = "Copy step as scenario te&xt",
+                .text = "Copy step as &scenario text",
                 .help = "The selected step, or the input, as a scenario writes it, on the clipboard",
                 .menu = menu,
                 .section = "copy",

@@ -4,12 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "quebra/core/operations.h"
-#include "recon/core/operations.h"
 #include "shared/gui/canvas.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/scenario/runner.h"
+#include "tests/gui/examples_folder.h"
 #include "tests/gui/monkey.h"
 
 namespace {
@@ -21,37 +20,24 @@ int number_of(const char* variable, int otherwise) {
   return said == nullptr ? otherwise : std::atoi(said);
 }
 
-const scenario::Program& program_of(const std::string& document) {
-  static const scenario::Program recon = recon::core::program();
-  static const scenario::Program quebra = quebra::core::program();
-  return document.starts_with("recon/") ? recon : quebra;
-}
-
-/// A copy of the examples, among which a window is; left at the end.
+/// A window among the examples.
 class Habits : public testing::TestWithParam<const char*> {
  protected:
-  Habits() : before_(std::filesystem::current_path()) {
+  Habits() {
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    std::string name = (std::filesystem::temp_directory_path() / "dobra_habits_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-    std::filesystem::copy(std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/examples", folder_ / "examples",
-                          std::filesystem::copy_options::recursive);
-    std::filesystem::current_path(folder_);
-    window_ = std::make_unique<gui::MainWindow>(program_of(GetParam()));
+    window_ = std::make_unique<gui::MainWindow>(test::program_of(GetParam()));
     window_->show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 20000));
   }
   ~Habits() override {
     window_->session().cancel();
     window_.reset();
-    std::filesystem::current_path(before_);
-    std::filesystem::remove_all(folder_);
   }
 
   gui::Session& session() { return window_->session(); }
   std::string text() { return scenario::document_text(session().document()); }
   void open() {
-    ASSERT_TRUE(window_->open(folder_ / "examples" / GetParam()).ok());
+    ASSERT_TRUE(window_->open(examples_.file(GetParam())).ok());
     come_to_rest();
   }
   void come_to_rest() {
@@ -97,8 +83,7 @@ class Habits : public testing::TestWithParam<const char*> {
     ASSERT_EQ(text(), now);
   }
 
-  std::filesystem::path before_;
-  std::filesystem::path folder_;
+  test::ExamplesFolder examples_;
   std::unique_ptr<gui::MainWindow> window_;
 };
 

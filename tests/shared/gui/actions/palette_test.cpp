@@ -11,6 +11,8 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "shared/gui/actions/registry.h"
@@ -245,7 +247,9 @@ TEST_F(PaletteTest, EveryActionIsTranslated) {
     if (entry.action.id.starts_with("step.add.")) continue;    // words of the small program
     if (entry.action.id.starts_with("view.panel.")) continue;  // titles of panels are translated where they are made
     for (const std::string& words : {entry.action.text, entry.action.help})
-      EXPECT_TRUE(words.empty() || actions::shown(words).toStdString() != words) << entry.action.id << ": " << words;
+      EXPECT_TRUE(!std::ranges::any_of(words, [](unsigned char c) { return std::isalpha(c) != 0; }) ||
+                  actions::shown(words).toStdString() != words)
+          << entry.action.id << ": " << words;
   }
 }
 

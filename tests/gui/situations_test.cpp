@@ -1,0 +1,218 @@
+// What windows look like: ten situations in both languages and themes, written as pictures into the folder `situations`
+// of the build, to be looked at. The tests read off what a program can: that no words are cut off, and that the view is
+// drawn. QT_SCALE_FACTOR=2 shows them at 200 %.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QScrollArea>
+#include <QTest>
+#include <set>
+
+#include "shared/gui/actions/palette.h"
+#include "shared/gui/canvas.h"
+#include "shared/gui/main_window.h"
+#include "shared/gui/parameter_form.h"
+#include "shared/gui/vtk_widget.h"
+#include "tests/gui/examples_folder.h"
+#include "tests/shared/gui/brazilian.h"
+
+namespace {
+
+using namespace dobra;
+
+struct Look {
+  const char* name;
+  bool portuguese;
+  bool dark;
+};
+
+class Situations : public testing::TestWithParam<Look> {
+ protected:
+  Situations() {
+    if (GetParam().portuguese) brazilian_.emplace();
+  }
+  ~Situations() override {
+    if (!window_) return;
+    window_->session().cancel();
+    window_.reset();
+  }
+
+  /// A window with the example, at rest; without one where that is empty.
+  void open(const std::string& program, const std::string& example = {}) {
+    window_ = std::make_unique<gui::MainWindow>(test::program_of(program));
+    window_->resize(1280, 800);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 20000));
+    window_->actions().trigger(GetParam().dark ? "theme.dark" : "theme.light");
+    if (!example.empty()) {
+      ASSERT_TRUE(window_->open(examples_.file(program + example)).ok());
+    }
+    rest();
+  }
+  void rest() {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->session().busy(); }, 120000));
+    QCoreApplication::processEvents();
+  }
+  void act(const std::string& action) {
+    ASSERT_TRUE(window_->actions().trigger(action)) << action;
+    rest();
+  }
+  void click(geom::Point at) {
+    QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, window_->view().pixel_of(0, at).toPoint());
+  }
+  void point(geom::Point at) {
+    const QPointF pixel = window_->view().pixel_of(0, at);
+    QMouseEvent move(QEvent::MouseMove, pixel, window_->view().mapToGlobal(pixel), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&window_->view(), &move);
+  }
+  void raise(const char* panel) {
+    auto* dock = window_->findChild<QWidget*>(panel);
+    ASSERT_NE(dock, nullptr) << panel;
+    dock->show();
+    dock->raise();
+    QCoreApplication::processEvents();
+  }
+
+  /// The window, with the other windows of the program above it.
+  void take(const std::string& situation) {
+    QCoreApplication::processEvents();
+    const std::filesystem::path folder = std::filesystem::path(DOBRA_BIN_DIR).parent_path() / "situations";
+    std::filesystem::create_directories(folder);
+    const std::string file = (folder / (situation + "_" + GetParam().name + ".png")).string();
+    const base::Result<void> saved = window_->save_screenshot(file);
+    ASSERT_TRUE(saved.ok()) << situation << ": " << base::to_string(saved.error());
+    QImage all(QString::fromStdString(file));
+    all.setDevicePixelRatio(window_->devicePixelRatioF());
+    QPainter painter(&all);
+    judge(*window_, situation);
+    for (QWidget* other : QApplication::topLevelWidgets()) {
+      if (other == window_.get() || !other->isVisible() || other->windowType() == Qt::ToolTip) continue;
+      painter.drawPixmap(other->geometry().topLeft() - window_->geometry().topLeft(), other->grab());
+      judge(*other, situation);
+    }
+    painter.end();
+    ASSERT_TRUE(all.save(QString::fromStdString(file)));
+  }
+
+  /// No words are cut off where they do not say so by an ellipsis.
+  static void judge(QWidget& window, const std::string& situation) {
+    for (QWidget* each : window.findChildren<QWidget*>()) {
+      if (!each->isVisible() || each->width() == 0) continue;
+      QString words;
+      if (const auto* label = qobject_cast<QLabel*>(each)) words = label->wordWrap() ? QString() : label->text();
+      if (const auto* button = qobject_cast<QAbstractButton*>(each)) words = button->text();
+      if (const auto* choice = qobject_cast<QComboBox*>(each)) words = choice->currentText();
+      if (words.isEmpty() || each->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;
+      const int needed = qobject_cast<QComboBox*>(each) != nullptr
+                             ? each->fontMetrics().horizontalAdvance(words) + 20
+                             : std::min(each->minimumSizeHint().width(), each->sizeHint().width());
+      EXPECT_LE(needed, each->width() + 1) << situation << ": " << each->objectName().toStdString() << " ("
+                                           << each->metaObject()->className() << ") shows " << words.toStdString();
+      // What scrolls into sight sideways is cut off until somebody scrolls.
+      const QRect seen = each->visibleRegion().boundingRect();
+      if (!seen.isEmpty()) {
+        EXPECT_GE(seen.width() + 1, std::min(needed, each->width()))
+            << situation << ": " << each->objectName().toStdString() << " shows a part of " << words.toStdString();
+      }
+    }
+  }
+
+  std::optional<test::Brazilian> brazilian_;
+  test::ExamplesFolder examples_;
+  std::unique_ptr<gui::MainWindow> window_;
+};
+
+TEST_P(Situations, TheBeginning) {
+  open("recon/");
+  take("01_beginning_recon");
+  window_.reset();
+  open("quebra/");
+  take("01_beginning_quebra");
+}
+
+TEST_P(Situations, ARestoredSection) {
+  open("recon/", "fold.toml");
+  take("02_restored");
+}
+
+TEST_P(Situations, BesideTheInputWithFaults) {
+  open("recon/", "listric.toml");
+  act("look.both");
+  take("03_both");
+}
+
+TEST_P(Situations, AGhostOfTheInput) {
+  open("recon/", "fold.toml");
+  act("look.both");
+  act("view.panels.ghost");
+  act("view.exaggeration.2");
+  take("04_ghost");
+  act("view.panels.as_fits");
+  act("view.exaggeration.fill");
+}
+
+TEST_P(Situations, ALineBeingDrawn) {
+  open("recon/", "fold.toml");
+  act("look.input");
+  act("draw.line");
+  const geom::Point centre = window_->view().view(0).centre;
+  click({centre.x - 300, centre.y + 60});
+  click({centre.x, centre.y + 90});
+  point({centre.x + 250, centre.y + 40});
+  QTest::keyClicks(&window_->view(), "@200,15");
+  take("05_drawing");
+}
+
+TEST_P(Situations, ALineAndItsVertices) {
+  open("recon/", "fold.toml");
+  act("look.input");
+  act("edit.select_all");
+  raise("dock.vertices");
+  take("06_vertices");
+}
+
+TEST_P(Situations, AWrongNumber) {
+  open("recon/", "listric.toml");
+  window_->select(1);
+  auto* number = window_->form().findChild<QLineEdit*>();
+  ASSERT_NE(number, nullptr);
+  for (QLineEdit* each : window_->form().findChildren<QLineEdit*>()) {
+    if (each->isVisible() && !each->isReadOnly()) number = each;
+  }
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "12q");
+  QTest::keyClick(number, Qt::Key_Return);
+  rest();
+  take("07_wrong");
+}
+
+TEST_P(Situations, ThePalette) {
+  open("recon/", "fold.toml");
+  window_->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 5000));
+  window_->view().setFocus();
+  QTest::keyClick(&window_->view(), Qt::Key_K, Qt::ControlModifier);
+  ASSERT_TRUE(window_->palette().isVisible());
+  QTest::keyClicks(QApplication::focusWidget(), "li");
+  take("08_palette");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+}
+
+TEST_P(Situations, AMeshAnalysed) {
+  open("quebra/", "cracked_plate.toml");
+  take("10_analysed");
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, Situations,
+                         testing::Values(Look{"en_light", false, false}, Look{"en_dark", false, true},
+                                         Look{"pt_light", true, false}, Look{"pt_dark", true, true}),
+                         [](const auto& look) { return std::string(look.param.name); });
+
+}  // namespace
