@@ -35,6 +35,12 @@ constexpr int settle_milliseconds = 350;  ///< After the last step of a spin box
 
 /// Default values are shown paler and slanted, so that one sees what the document says itself.
 void show_origin(QWidget& widget, FieldEditor::Origin origin) {
+  const QPalette now;
+  const QColor wanted = now.color(origin == FieldEditor::Origin::Default ? QPalette::PlaceholderText : QPalette::Text);
+  // Each change of a font or a palette is told to all that is inside.
+  if (widget.font().italic() == (origin == FieldEditor::Origin::Default) &&
+      widget.palette().color(QPalette::Active, QPalette::Text) == wanted)
+    return;
   QFont font = widget.font();
   font.setItalic(origin == FieldEditor::Origin::Default);
   widget.setFont(font);

@@ -285,7 +285,7 @@ void MainWindow::show_form() {
 }
 
 void MainWindow::offer_names(std::size_t part) {
-  form_->form()->offer([&](const std::string& what) -> std::vector<std::string> {
+  form_->form()->offer([this, part](const std::string& what) -> std::vector<std::string> {
     const documents::OutcomePtr& outcome = session_.outcome();
     if (part == 0 || !program_.names_of || !outcome || outcome->run.states.size() < part) return {};
     return program_.names_of(outcome->run.states[part - 1], what);

@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkWeakPointer.h>
 
 #include <map>
 #include <utility>
@@ -168,15 +169,17 @@ TEST_F(VtkSceneAtItsBench, ManyPointsAreDrawnLaterAndFewAtOnce) {
 TEST_F(VtkSceneAtItsBench, WhatWasThereIsShownUntilTheNewIsMade) {
   scene_.set_picture(long_line(50.0));
   work();
-  const vtkActor* const first = scene_.actors_of(0, "long").front();
+  const vtkWeakPointer<vtkActor> first(const_cast<vtkActor*>(scene_.actors_of(0, "long").front()));
   scene_.set_picture(long_line(60.0), KeepViews::Yes);
   EXPECT_FALSE(seen("long"));
-  EXPECT_NE(const_cast<vtkActor*>(first)->GetVisibility(), 0);  // still drawn
+  ASSERT_NE(first.GetPointer(), nullptr);
+  EXPECT_NE(first->GetVisibility(), 0);  // still drawn
   // A third one before the second is made: the first is still what is shown, and the second is never made.
   scene_.set_picture(long_line(70.0), KeepViews::Yes);
-  EXPECT_NE(const_cast<vtkActor*>(first)->GetVisibility(), 0);
+  ASSERT_NE(first.GetPointer(), nullptr);
+  EXPECT_NE(first->GetVisibility(), 0);
   scene_.set_layer_visible("section", "long", false);
-  EXPECT_EQ(const_cast<vtkActor*>(first)->GetVisibility(), 0);
+  EXPECT_EQ(first.GetPointer(), nullptr);  // what is hidden is not kept for what it was
   scene_.set_layer_visible("section", "long", true);
   work();
   EXPECT_TRUE(seen("long"));
