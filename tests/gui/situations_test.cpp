@@ -48,7 +48,8 @@ class Situations : public testing::TestWithParam<Look> {
     window_ = std::make_unique<gui::MainWindow>(test::program_of(program));
     window_->resize(1280, 800);
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 20000));
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 20000));
     window_->actions().trigger(GetParam().dark ? "theme.dark" : "theme.light");
     if (!example.empty()) {
       ASSERT_TRUE(window_->open(examples_.file(program + example)).ok());
@@ -71,6 +72,7 @@ class Situations : public testing::TestWithParam<Look> {
     QMouseEvent move(QEvent::MouseMove, pixel, window_->view().mapToGlobal(pixel), Qt::NoButton, Qt::NoButton, {});
     QCoreApplication::sendEvent(&window_->view(), &move);
   }
+  QWidget* focus() { return QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window_.get(); }
   void raise(const char* panel) {
     auto* dock = window_->findChild<QWidget*>(panel);
     ASSERT_NE(dock, nullptr) << panel;
@@ -161,11 +163,12 @@ TEST_P(Situations, ALineBeingDrawn) {
   open("recon/", "fold.toml");
   act("look.input");
   act("draw.line");
+  window_->view().setFocus();
   const geom::Point centre = window_->view().view(0).centre;
   click({centre.x - 300, centre.y + 60});
   click({centre.x, centre.y + 90});
   point({centre.x + 250, centre.y + 40});
-  QTest::keyClicks(&window_->view(), "@200,15");
+  for (const char each : std::string("@200;15")) QTest::keyClick(focus(), each);
   take("05_drawing");
 }
 
@@ -195,14 +198,12 @@ TEST_P(Situations, AWrongNumber) {
 
 TEST_P(Situations, ThePalette) {
   open("recon/", "fold.toml");
-  window_->activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 5000));
   window_->view().setFocus();
   QTest::keyClick(&window_->view(), Qt::Key_K, Qt::ControlModifier);
   ASSERT_TRUE(window_->palette().isVisible());
-  QTest::keyClicks(QApplication::focusWidget(), "li");
+  QTest::keyClicks(focus(), "li");
   take("08_palette");
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  QTest::keyClick(focus(), Qt::Key_Escape);
 }
 
 TEST_P(Situations, AMeshAnalysed) {
