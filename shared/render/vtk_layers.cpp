@@ -44,10 +44,12 @@ class Geometry {
     offsets_->InsertNextValue(0);
   }
 
+  /// @pre nothing has been added: it empties the lists
   void reserve(std::size_t points, std::size_t corners, std::size_t cells) {
     points_->Allocate(static_cast<vtkIdType>(3 * points));
     corners_->Allocate(static_cast<vtkIdType>(corners));
     offsets_->Allocate(static_cast<vtkIdType>(cells + 1));
+    offsets_->InsertNextValue(0);
   }
   std::int32_t add_point(Point p) {
     const float at[3] = {static_cast<float>(p.x - origin_.x), static_cast<float>(p.y - origin_.y), depth_};
