@@ -72,8 +72,9 @@ def measure(bin_folder, what, folder):
     if what == 'fold':
         scenario = os.path.join(ROOT, 'resources', 'examples', 'recon', 'fold.toml')
         place = first_point_inside(os.path.join(os.path.dirname(scenario), 'fold_upper_sandstone.csv'))
-        states = (f'tool select\nclick {place[0]} {place[1]}\nwait\n'
-                  f'states {place[0]} {place[1]} {place[0]} {place[1] + 60.0} {folder}/states\nwait\n')
+        # Near enough that 40 m are some 35 pixels: a shorter way would snap to the vertex that is dragged.
+        states = (f'fit\nwait\ntool select\nzoom 12 0.364 0.21\nwait\nclick {place[0]} {place[1]}\nwait\n'
+                  f'states {place[0]} {place[1]} {place[0]} {place[1] + 40.0} {folder}/states\nwait\n')
         edit = 'select 3\nset tolerance 3'
     elif what.endswith('t'):
         program, edit = 'quebra', 'select 1\nset smoothing 2'
