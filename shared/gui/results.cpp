@@ -6,6 +6,7 @@
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
@@ -29,7 +30,9 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget
   quantities_->setHeaderLabels({text("Quantity"), text("Value")});
   quantities_->header()->setStretchLastSection(false);
   quantities_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  quantities_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  // Once a run and not at each number; the lines in sight, and some hundred of thousands below.
+  quantities_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  quantities_->header()->setResizeContentsPrecision(200);
   quantities_->setIndentation(12);
   quantities_->setAlternatingRowColors(true);
   quantities_->setTextElideMode(Qt::ElideMiddle);
@@ -73,11 +76,13 @@ void Results::show_quantities(const std::vector<scenario::Quantity>& quantities)
     if (lines_[i]->text(1) != value) lines_[i]->setText(1, value);
     lines_[i]->setToolTip(1, QString::fromStdString(base::number_text(quantity.value)));
   }
+  quantities_->resizeColumnToContents(1);
 }
 
 void Results::list_names(const std::vector<scenario::Quantity>& quantities) {
   quantities_->clear();
   lines_.clear();
+  QList<QTreeWidgetItem*> top;  // shown all at once
   QTreeWidgetItem* group = nullptr;
   QString group_name;
   for (const scenario::Quantity& quantity : quantities) {
@@ -86,15 +91,18 @@ void Results::list_names(const std::vector<scenario::Quantity>& quantities) {
     const QString prefix = name.left(std::max<qsizetype>(dot, 0));
     if (prefix != group_name) {
       group_name = prefix;
-      group = prefix.isEmpty() ? nullptr : new QTreeWidgetItem(quantities_, {prefix});
-      if (group != nullptr) group->setFirstColumnSpanned(true);
+      group = prefix.isEmpty() ? nullptr : new QTreeWidgetItem(QStringList(prefix));
+      if (group != nullptr) top << group;
     }
     const QStringList cells{name.mid(dot + 1), {}};
-    auto* line = group != nullptr ? new QTreeWidgetItem(group, cells) : new QTreeWidgetItem(quantities_, cells);
+    auto* line = group != nullptr ? new QTreeWidgetItem(group, cells) : new QTreeWidgetItem(cells);
+    if (group == nullptr) top << line;
     line->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     line->setToolTip(0, name);
     lines_.push_back(line);
   }
+  quantities_->addTopLevelItems(top);
+  for (QTreeWidgetItem* item : std::as_const(top)) item->setFirstColumnSpanned(item->childCount() > 0);
   quantities_->expandAll();
 }
 
