@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "quebra/core/curve_entries.h"
 #include "shared/base/text.h"
 #include "shared/scenario/entries.h"
 
@@ -148,6 +149,47 @@ std::optional<std::pair<Point, double>> circle_of(const geom::Polyline& line) {
   return std::pair(centre, radius);
 }
 
+/// With what its file holds as tables of its own.
+Result<scenario::Document> taken_in(scenario::Document document, const model::Model& model, const std::string& name) {
+  const std::string specimen = scenario::text_in(document.input, "specimen");
+  if (!specimen.empty() && specimen != "none")
+    return scenario::edit_refused(name, "a specimen has it by its sizes; change these in the form");
+  if (document.input.find("file") == nullptr)
+    return scenario::edit_refused(name, "reading has made this; it cannot be edited by itself");
+  return with_file_taken_in(std::move(document), model);
+}
+
+/// A named point or region: the entry of the document, moved or gone.
+Result<scenario::Document> with_place_edited(scenario::Document document, const model::Model& model,
+                                             const scene::LineEdit& edit, const Lengths& lengths) {
+  const bool point = edit.pick.layer == "points";
+  const char* key = point ? "point" : "region";
+  const std::size_t count = point ? model.domain.points.size() : model.domain.regions.size();
+  if (edit.pick.id >= count) return scenario::edit_refused(edit.pick.layer, "it is no longer there; run again");
+  const std::string name = point ? model.domain.points[edit.pick.id].name : model.domain.regions[edit.pick.id].name;
+  scenario::Entries entries = scenario::entries_of(document.input, key);
+  // Regions may share a name: the document's own are the last ones.
+  const std::size_t before = count - std::min(count, entries.size());
+  auto entry =
+      entries.begin() + static_cast<std::ptrdiff_t>(edit.pick.id - std::min<std::size_t>(edit.pick.id, before));
+  if (edit.pick.id < before || entry == entries.end() || scenario::text_in(*entry, "name") != name)
+    entry = scenario::entry_named(entries, name);
+  if (entry == entries.end()) {
+    DOBRA_TRY(document, taken_in(std::move(document), model, name));
+    entries = scenario::entries_of(document.input, key);
+    entry = scenario::entry_named(entries, name);
+  }
+  if (entry == entries.end())
+    return scenario::edit_refused(name, "reading has made this; it cannot be edited by itself");
+  if (edit.becomes.empty()) {
+    entries.erase(entry);
+  } else {
+    entry->set("point", lengths.in_document(edit.becomes.front().points.front()));
+  }
+  scenario::set_entries(document.input, key, std::move(entries));
+  return document;
+}
+
 bool is_taken(const scenario::Table& input, const std::string& name) {
   for (const char* key : {"curve", "crack"}) {
     scenario::Entries entries = scenario::entries_of(input, key);
@@ -163,16 +205,24 @@ Result<scenario::Document> with_curves_edited(scenario::Document document, const
   const std::vector<sketch::Curve>& curves = model.domain.curves;
   const Lengths lengths(document);
   for (const scene::LineEdit& edit : edits) {
+    if (edit.pick.layer == "points" || edit.pick.layer == "regions") {
+      DOBRA_TRY(document, with_place_edited(std::move(document), model, edit, lengths));
+      continue;
+    }
     const bool drawn = edit.pick.layer == "boundary" || edit.pick.layer == "internal" || edit.pick.layer == "cracks";
     if (!drawn || edit.pick.id >= curves.size())
-      return scenario::edit_refused(edit.pick.layer,
-                                    "this is drawn by the program and cannot be edited; edit curves and cracks");
+      return scenario::edit_refused(
+          edit.pick.layer,
+          "this is drawn by the program and cannot be edited; edit curves, cracks, points and regions");
     const sketch::Curve& curve = curves[edit.pick.id];
     const char* key = curve.role == sketch::Role::Crack ? "crack" : "curve";
     scenario::Entries entries = scenario::entries_of(document.input, key);
+    if (scenario::entry_named(entries, curve.name) == entries.end()) {
+      DOBRA_TRY(document, taken_in(std::move(document), model, curve.name));
+      entries = scenario::entries_of(document.input, key);
+    }
     if (scenario::entry_named(entries, curve.name) == entries.end())
-      return scenario::edit_refused(curve.name,
-                                    "a file or a specimen holds this curve, not the scenario; change it there");
+      return scenario::edit_refused(curve.name, "reading has made this; it cannot be edited by itself");
     DOBRA_TRY_VOID(replace(entries, curve, edit.becomes, lengths));
     scenario::set_entries(document.input, key, std::move(entries));
   }

@@ -12,7 +12,8 @@ namespace quebra::core {
 /// What a user may draw, and how the document changes.
 dobra::scenario::Drawing drawing();
 
-/// The document whose curves and cracks `edits` have changed. Of a line or polygon every vertex may move, and the parts
+/// The document whose curves, cracks, points and regions `edits` have changed. What a file holds is taken into the
+/// document, which then has no file; the file stays as it is. Of a line or polygon every vertex may move, and the parts
 /// of a split are curves of their own; an arc, a circle or a spline moves as a whole, or goes.
 /// @param edits  in the units of the document's results; numbers that have not changed stay as they are written.
 /// @error BadValue: a curve that the document does not hold, or a change that its kind does not allow, with what to do.

@@ -9,6 +9,7 @@
 #include "quebra/repair/crack_flaws.h"
 #include "quebra/repair/flaws.h"
 #include "quebra/repair/repair.h"
+#include "quebra/sketch/roles_by_name.h"
 #include "quebra/sketch/sketch_file.h"
 #include "shared/geom/drawn_curve.h"
 
@@ -32,6 +33,23 @@ Result<sketch::Curve> make_spline(const CurveParams& params) {
   if (params.points.size() < 2) return lacking(params, "needs two `points` or more");
   DOBRA_TRY(dobra::geom::CubicPath path, dobra::geom::spline_through(params.points));
   DOBRA_TRY(sketch::Smooth smooth, sketch::Smooth::make(std::move(path)));
+  return sketch::Curve{params.name, params.role, std::move(smooth), {}};
+}
+
+/// Vertices of cubics end to end: the last of one is the first of the next.
+Result<sketch::Curve> make_bezier(const CurveParams& params) {
+  if (params.points.size() < 4 || params.points.size() % 3 != 1)
+    return lacking(params, "is a chain of cubics: give it 4 `points`, or 3 more for every further cubic");
+  std::vector<dobra::geom::HermiteCubic> cubics;
+  for (std::size_t i = 0; i + 3 < params.points.size(); i += 3) {
+    DOBRA_TRY(const dobra::geom::Bezier cubic,
+              dobra::geom::Bezier::make(
+                  {params.points.begin() + std::ptrdiff_t(i), params.points.begin() + std::ptrdiff_t(i + 4)}));
+    cubics.push_back(dobra::geom::hermite_of(cubic));
+  }
+  std::vector<double> knots;
+  for (std::size_t k = 0; k <= cubics.size(); ++k) knots.push_back(static_cast<double>(k));
+  DOBRA_TRY(sketch::Smooth smooth, sketch::Smooth::make(dobra::geom::CubicPath(std::move(cubics), std::move(knots))));
   return sketch::Curve{params.name, params.role, std::move(smooth), {}};
 }
 
@@ -80,6 +98,8 @@ Result<sketch::Curve> make_curve(const CurveParams& params) {
         return make_circle(params);
       case CurveKind::Spline:
         return make_spline(params);
+      case CurveKind::Bezier:
+        return make_bezier(params);
       case CurveKind::Line:
       case CurveKind::Polygon:
         break;
@@ -88,6 +108,7 @@ Result<sketch::Curve> make_curve(const CurveParams& params) {
   };
   DOBRA_TRY(sketch::Curve curve, made());
   curve.division = {params.segments, params.size, params.ratio};
+  curve.groups = params.groups;
   return curve;
 }
 
@@ -170,6 +191,8 @@ Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scen
     if (!options) return located(options.error(), table.place("file"));
     options->silent_unit = options->lines.silent_unit = context.units.to_si(1.0, "m");
     DOBRA_TRY(sketch::Sketch file, sketch::read_sketch((context.folder / params.file).string(), *options));
+    auto roles = sketch::set_roles(file, params.kinds);
+    if (!roles) return located(roles.error(), table.place("kind"));
     append(sketch.curves, file.curves);
     append(sketch.places, file.places);
     append(sketch.regions, file.regions);
@@ -184,6 +207,9 @@ Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scen
     return Error{ErrorCode::BadValue,
                  "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is "
                  "read, and there is no file; remove them"};
+  if (params.file.empty() && !params.kinds.empty())
+    return Error{ErrorCode::BadValue, "`kind` says what curves of `file` are, and there is no file; remove it",
+                 table.place("kind")};
   if (params.file.empty() && params.unit != dobra::scenario::lines::FileUnit::File)
     return Error{ErrorCode::BadValue,
                  "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the "

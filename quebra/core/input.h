@@ -16,7 +16,7 @@
 namespace quebra::core {
 
 enum class Repair { No, Yes };
-enum class CurveKind { Line, Polygon, Arc, Circle, Spline };
+enum class CurveKind { Line, Polygon, Arc, Circle, Spline, Bezier };
 enum class Turning { Anticlockwise, Clockwise };
 
 /// One [[input.curve]].
@@ -33,22 +33,24 @@ struct CurveParams {
   int segments = 0;
   double size = 0.0;
   double ratio = 1.0;
+  std::vector<std::string> groups;
 
   template <class D>
   static void describe(D& d) {
     d.field("name", &CurveParams::name,
             {.title = "Name", .help = "Sets of the mesh take it.", .presence = dobra::scenario::Presence::Required});
     d.choice(
-        "kind", &CurveParams::kind, {"line", "polygon", "arc", "circle", "spline"},
+        "kind", &CurveParams::kind, {"line", "polygon", "arc", "circle", "spline", "bezier"},
         {.title = "Kind",
          .help =
              "line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; "
-             "circle: centre and radius; spline: smooth through the points, closed if the last repeats the first."});
+             "circle: centre and radius; spline: smooth through the points, closed if the last repeats the first; "
+             "bezier: cubics end to end, by their vertices."});
     d.field("points", &CurveParams::points,
             {.title = "Points",
              .help = "Vertices of a line or polygon; first and last point of an arc.",
              .unit = "m",
-             .when = "kind in line, polygon, arc, spline"});
+             .when = "kind in line, polygon, arc, spline, bezier"});
     d.field("centre", &CurveParams::centre,
             {.title = "Centre", .help = "Of an arc or circle.", .unit = "m", .when = "kind in arc, circle"});
     d.field("radius", &CurveParams::radius,
@@ -82,6 +84,8 @@ struct CurveParams {
              .at_least = 0});
     d.field("ratio", &CurveParams::ratio,
             {.title = "Ratio", .help = "Last side to first side, for `segments`.", .above = 0});
+    d.field("groups", &CurveParams::groups,
+            {.title = "Sets", .help = "Further names that its sides have in conditions and in the mesh."});
   }
 };
 
@@ -102,9 +106,10 @@ struct CrackParams {
             {.title = "Name",
              .help = "The lips are the sets NAME_left and NAME_right, the tips NAME_start and NAME_end.",
              .presence = dobra::scenario::Presence::Required});
-    d.choice("kind", &CrackParams::kind, {"line", "polygon", "arc", "circle", "spline"},
+    d.choice("kind", &CrackParams::kind, {"line", "polygon", "arc", "circle", "spline", "bezier"},
              {.title = "Kind",
-              .help = "line: a chain of points; arc: centre and two points; spline: smooth through the points."});
+              .help = "line: a chain of points; arc: centre and two points; spline: smooth through the points; "
+                      "bezier: cubics end to end, by their vertices."});
     d.field("points", &CrackParams::points,
             {.title = "Points",
              .help = "In order from start to end; an end on the boundary or on another crack opens there.",
@@ -177,6 +182,7 @@ struct InputParams : sketch::LineInput {
   std::optional<double> width, height, radius, crack, position;
   std::optional<dobra::base::Angle> angle;
   std::string file;
+  std::vector<std::string> kinds;
   double join_tolerance = domain::DomainOptions{}.join_tolerance;
   Repair repair = Repair::No;
   std::optional<double> gap;
@@ -234,6 +240,11 @@ struct InputParams : sketch::LineInput {
             .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadDrawing,
                                                          dobra::io::formats::Use::ReadLines,
                                                          dobra::io::formats::Use::ReadMesh})});
+    d.field("kind", &InputParams::kinds,
+            {.title = "Kinds by names",
+             .help = "What curves of the file are, such as 'C*=crack': outline, hole, internal, crack, found (as the "
+                     "drawing shows), or none to leave them out; the first that fits a name counts.",
+             .when = "file is set"});
     sketch::LineInput::describe_in<InputParams>(d);
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance",

@@ -27,6 +27,7 @@ using scene::Color;
 
 constexpr Color constraint_blue{13, 71, 161};
 constexpr Color crack_red{198, 40, 40};
+constexpr Color region_green{46, 125, 50};
 constexpr Color front_orange{230, 81, 0};
 constexpr Color material{236, 239, 241};
 constexpr Color mesh_line{55, 71, 79, 150};
@@ -55,8 +56,10 @@ void add_curves(const domain::Domain& domain, std::vector<scene::Layer>& layers)
   add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8},
       curves_of(domain, [](sketch::Role role) { return role == sketch::Role::Crack; }));
   scene::Markers markers;
-  for (const sketch::NamedPoint& point : domain.points) {
-    if (!point.name.empty()) markers.points.push_back(point.at);
+  for (std::uint32_t i = 0; i < domain.points.size(); ++i) {
+    if (domain.points[i].name.empty()) continue;
+    markers.points.push_back(domain.points[i].at);
+    markers.ids.push_back(i);
   }
   if (!markers.points.empty())
     layers.push_back({"points", translated("Points"), {.line = ink, .marker_size = 5.0}, std::move(markers)});
@@ -195,11 +198,25 @@ scene::Layer quadtree_layer(const domain::Domain& domain, const mesh::sizing::Si
           false};
 }
 
+/// Where regions are named; nothing if none is.
+void add_region_names(const domain::Domain& domain, std::vector<scene::Layer>& layers) {
+  scene::Markers markers;
+  for (const sketch::RegionName& region : domain.regions) markers.points.push_back(region.at);
+  if (markers.points.empty()) return;
+  layers.push_back({"regions",
+                    translated("Regions"),
+                    {.line = region_green, .marker_size = 5.0},
+                    std::move(markers),
+                    true,
+                    scene::InLegend::No});
+}
+
 scene::Panel domain_panel(const model::Model& model) {
   scene::Panel panel{.key = "domain", .title = translated("Domain"), .axes = {}, .layers = {}};
   panel.layers.push_back(domain_layer(model.domain));
   if (!model.constraints.empty()) panel.layers.push_back(constraint_layer(model.constraints));
   add_curves(model.domain, panel.layers);
+  add_region_names(model.domain, panel.layers);
   return panel;
 }
 

@@ -7,6 +7,7 @@
 #include "quebra/analysis/analysis.h"
 #include "quebra/analysis/fracture.h"
 #include "quebra/core/drawing.h"
+#include "quebra/core/importing.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/result_picture.h"
@@ -201,6 +202,7 @@ scenario::Program make_program() {
     return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return input.find(key) != nullptr; });
   };
   program.drawing = drawing();
+  program.importing = importing();
   program.units_of = units_of;
   program.names_of = [](const scenario::State& state, const std::string& what) {
     return names_in(scenario::model_of<model::Model>(state).domain, what);

@@ -280,6 +280,7 @@ Result<Domain> make_domain(sketch::Sketch sketch, const DomainOptions& options) 
   Domain domain;
   domain.curves = std::move(sketch.curves);
   domain.points = std::move(sketch.points);
+  domain.regions = sketch.regions;
   DOBRA_TRY(Inside inside, find_loops(domain, places, options));
   if (drop_between_holes(domain, sketch, inside)) {
     DOBRA_TRY(inside, find_loops(domain, places, options));

@@ -45,6 +45,7 @@ struct Domain {
   std::vector<Loop> loops;
   std::vector<Junction> junctions;  ///< By curve, then by distance.
   std::vector<sketch::NamedPoint> points;
+  std::vector<sketch::RegionName> regions;  ///< As they were named; those of areas are not among them.
   std::vector<Face> faces;
   std::map<std::int32_t, std::string> region_names;
   double unit = 1.0;  ///< Of the coordinates in conditions on places (selection.h), m.

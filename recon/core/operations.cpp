@@ -20,6 +20,7 @@
 #include "recon/core/target_step.h"
 #include "recon/input/colors.h"
 #include "recon/input/drawing.h"
+#include "recon/input/importing.h"
 #include "recon/input/input.h"
 #include "recon/model/chain.h"
 #include "recon/model/names.h"
@@ -155,6 +156,7 @@ scenario::Program make_program() {
     return model::name_at(scenario::model_of<model::Model>(state), what, line, at);
   };
   recon.drawing = drawing();
+  recon.importing = input::importing();
   return recon;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -177,12 +178,59 @@ void replace(scenario::Entries& tables, const Item& item, const Coordinates& coo
   }
 }
 
+/// The edits of one marker's points, by their numbers.
+using MarkerEdits = std::map<std::size_t, const scene::LineEdit*>;
+
+/// The marker of a layer "marker_3"; nothing for other layers.
+std::optional<std::size_t> marker_of(const section::Section& section, const scene::Pick& pick) {
+  for (const section::Marker& marker : section.markers) {
+    if (pick.layer == "marker_" + std::to_string(marker.id.index())) return marker.id.index();
+  }
+  return std::nullopt;
+}
+
+/// Points that move or go; a marker without points goes.
+base::Result<scenario::Document> with_marker_edited(scenario::Document document, const section::Section& section,
+                                                    const section::Marker& marker, const MarkerEdits& edits) {
+  scenario::Entries markers = scenario::entries_of(document.input, "marker");
+  if (scenario::entry_named(markers, marker.name) == markers.end()) {
+    DOBRA_TRY(document, with_files_taken_in(std::move(document), section));
+    markers = scenario::entries_of(document.input, "marker");
+  }
+  const auto entry = scenario::entry_named(markers, marker.name);
+  if (entry == markers.end())
+    return scenario::edit_refused(marker.name,
+                                  "reading the section has made or cut this line, so that it cannot be edited by "
+                                  "itself; edit the line that it was made from");
+  geom::Polyline points;
+  for (std::size_t i = 0; i < marker.points.size(); ++i) {
+    const auto edit = edits.find(i);
+    if (edit == edits.end())
+      points.points.push_back(marker.points[i]);
+    else if (!edit->second->becomes.empty())
+      points.points.push_back(edit->second->becomes.front().points.front());
+  }
+  if (points.points.empty()) {
+    markers.erase(entry);
+  } else {
+    const std::vector<geom::Point> written = scenario::points_in(*entry);
+    set_points(*entry, "marker", Coordinates(document.input).in_document(points, written));
+  }
+  scenario::set_entries(document.input, "marker", std::move(markers));
+  return document;
+}
+
 }  // namespace
 
 base::Result<scenario::Document> with_lines_edited(scenario::Document document, const section::Section& section,
                                                    std::span<const scene::LineEdit> edits) {
   std::set<std::string> gone;
+  std::map<std::size_t, MarkerEdits> of_markers;
   for (const scene::LineEdit& edit : edits) {
+    if (const auto marker = marker_of(section, edit.pick)) {
+      if (edit.pick.id < section.markers[*marker].points.size()) of_markers[*marker][edit.pick.id] = &edit;
+      continue;
+    }
     DOBRA_TRY(const Item item, item_of(section, edit.pick));
     scenario::Entries tables = scenario::entries_of(document.input, item.table);
     if (scenario::entry_named(tables, item.name) == tables.end()) {
@@ -198,6 +246,9 @@ base::Result<scenario::Document> with_lines_edited(scenario::Document document, 
     replace(tables, item, Coordinates(document.input), edit.becomes);
     scenario::set_entries(document.input, item.table, std::move(tables));
     if (item.table == "horizon" && edit.becomes.empty()) gone.insert(item.piece_of.empty() ? item.name : item.piece_of);
+  }
+  for (const auto& [marker, changes] : of_markers) {
+    DOBRA_TRY(document, with_marker_edited(std::move(document), section, section.markers[marker], changes));
   }
   return with_colors_kept(std::move(document), section, gone);
 }

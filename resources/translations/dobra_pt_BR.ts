@@ -3768,38 +3768,6 @@
         <translation>Como #1a2b3c; por padrão as usuais, uma depois da outra.</translation>
     </message>
     <message>
-        <source>row %1: '%2' is not a number</source>
-        <translation>linha %1: '%2' não é um número</translation>
-    </message>
-    <message>
-        <source>row %1 has %2 numbers; copy two columns, x and z</source>
-        <translation>a linha %1 tem %2 números; copie duas colunas, x e z</translation>
-    </message>
-    <message>
-        <source>there are no rows of two numbers to paste</source>
-        <translation>não há linhas de dois números para colar</translation>
-    </message>
-    <message>
-        <source>'%1' is not a number</source>
-        <translation>'%1' não é um número</translation>
-    </message>
-    <message>
-        <source>No.</source>
-        <translation>N.º</translation>
-    </message>
-    <message>
-        <source>Vertices</source>
-        <translation>Vértices</translation>
-    </message>
-    <message>
-        <source>Insert</source>
-        <translation>Inserir</translation>
-    </message>
-    <message>
-        <source>Paste</source>
-        <translation>Colar</translation>
-    </message>
-    <message>
         <source>Drag to move the view; the wheel zooms; Escape goes back to Select</source>
         <translation>Arraste para mover a vista; a roda amplia; Escape volta a Selecionar</translation>
     </message>
@@ -3956,56 +3924,36 @@
         <translation>Excluir</translation>
     </message>
     <message>
-        <source>%1 lines</source>
-        <translation>%1 linhas</translation>
+        <source>row %1: '%2' is not a number</source>
+        <translation>linha %1: '%2' não é um número</translation>
     </message>
     <message>
-        <source>No line is selected</source>
-        <translation>Nenhuma linha está selecionada</translation>
+        <source>row %1 has %2 numbers; copy two columns, x and z</source>
+        <translation>a linha %1 tem %2 números; copie duas colunas, x e z</translation>
     </message>
     <message>
-        <source>Select the rows that are to go.</source>
-        <translation>Selecione as linhas que devem sair.</translation>
+        <source>there are no rows of two numbers to paste</source>
+        <translation>não há linhas de dois números para colar</translation>
     </message>
     <message>
-        <source>Paste vertices</source>
-        <translation>Colar vértices</translation>
+        <source>'%1' is not a number</source>
+        <translation>'%1' não é um número</translation>
     </message>
     <message>
-        <source>Point at it on the canvas</source>
-        <translation>Apontar no desenho</translation>
+        <source>No.</source>
+        <translation>N.º</translation>
     </message>
     <message>
-        <source>Has no effect without '%1'.</source>
-        <translation>Não tem efeito sem '%1'.</translation>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
     </message>
     <message>
-        <source>Has no effect with '%1': %2.</source>
-        <translation>Não tem efeito com '%1': %2.</translation>
+        <source>Insert</source>
+        <translation>Inserir</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>sim</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>não</translation>
-    </message>
-    <message>
-        <source>Click the line for '%1'; Escape leaves it as it is.</source>
-        <translation>Clique na linha para '%1'; Escape deixa como está.</translation>
-    </message>
-    <message>
-        <source>Click the place for '%1'; Escape leaves it as it is.</source>
-        <translation>Clique no lugar para '%1'; Escape deixa como está.</translation>
-    </message>
-    <message>
-        <source>This is nothing for '%1': click another line, or press Escape.</source>
-        <translation>Isto não serve para '%1': clique em outra linha ou tecle Escape.</translation>
-    </message>
-    <message>
-        <source>(at %1, %2)</source>
-        <translation>(em %1, %2)</translation>
+        <source>Paste</source>
+        <translation>Colar</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -4152,14 +4100,6 @@
         <translation>Atrai a vértices, cruzamentos e linhas; não enquanto Alt está pressionada</translation>
     </message>
     <message>
-        <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
-        <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
-    </message>
-    <message>
-        <source>Copy step as &amp;scenario text</source>
-        <translation>Copiar a etapa como &amp;texto de cenário</translation>
-    </message>
-    <message>
         <source>The selected step, or the input, as a scenario writes it, on the clipboard</source>
         <translation>A etapa selecionada, ou a entrada, como um cenário a escreve, na área de transferência</translation>
     </message>
@@ -4198,6 +4138,458 @@
     <message>
         <source>Not all changes of the window are in the file: save it before you run this.</source>
         <translation>Nem todas as alterações da janela estão no arquivo: salve-o antes de executar isto.</translation>
+    </message>
+    <message>
+        <source>Places that meet nothing else go to the crossings of the ticks of the axes</source>
+        <translation>Lugares que não encontram nada mais vão aos cruzamentos das marcas dos eixos</translation>
+    </message>
+    <message>
+        <source>Copy step as &amp;scenario text</source>
+        <translation>Copiar a etapa como &amp;texto de cenário</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 linhas</translation>
+    </message>
+    <message>
+        <source>No line is selected</source>
+        <translation>Nenhuma linha está selecionada</translation>
+    </message>
+    <message>
+        <source>Select the rows that are to go.</source>
+        <translation>Selecione as linhas que devem sair.</translation>
+    </message>
+    <message>
+        <source>Paste vertices</source>
+        <translation>Colar vértices</translation>
+    </message>
+    <message>
+        <source>Point at it on the canvas</source>
+        <translation>Apontar no desenho</translation>
+    </message>
+    <message>
+        <source>Has no effect without '%1'.</source>
+        <translation>Não tem efeito sem '%1'.</translation>
+    </message>
+    <message>
+        <source>Has no effect with '%1': %2.</source>
+        <translation>Não tem efeito com '%1': %2.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sim</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>não</translation>
+    </message>
+    <message>
+        <source>Click the line for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique na linha para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>Click the place for '%1'; Escape leaves it as it is.</source>
+        <translation>Clique no lugar para '%1'; Escape deixa como está.</translation>
+    </message>
+    <message>
+        <source>This is nothing for '%1': click another line, or press Escape.</source>
+        <translation>Isto não serve para '%1': clique em outra linha ou tecle Escape.</translation>
+    </message>
+    <message>
+        <source>(at %1, %2)</source>
+        <translation>(em %1, %2)</translation>
+    </message>
+    <message>
+        <source>the lines are to stand in this file, which is there already; save the scenario under another name</source>
+        <translation>as linhas devem ficar neste arquivo, que já existe; salve o cenário com outro nome</translation>
+    </message>
+    <message>
+        <source>&amp;Import...</source>
+        <translation>&amp;Importar...</translation>
+    </message>
+    <message>
+        <source>Brings lines, drawings or pictures from files into the scenario.</source>
+        <translation>Traz linhas, desenhos ou imagens de arquivos para o cenário.</translation>
+    </message>
+    <message>
+        <source>Keep &amp;lines in a file beside</source>
+        <translation>Guardar as &amp;linhas em um arquivo ao lado</translation>
+    </message>
+    <message>
+        <source>Saving writes the lines of the scenario to a file of their own, which the scenario names.</source>
+        <translation>Salvar escreve as linhas do cenário em um arquivo próprio, que o cenário nomeia.</translation>
+    </message>
+    <message>
+        <source>Import files</source>
+        <translation>Importar arquivos</translation>
+    </message>
+    <message>
+        <source>Keep lines in a file beside</source>
+        <translation>Guardar as linhas em um arquivo ao lado</translation>
+    </message>
+    <message>
+        <source>Keep lines in the scenario</source>
+        <translation>Guardar as linhas no cenário</translation>
+    </message>
+    <message>
+        <source>Lines are saved in %1</source>
+        <translation>As linhas são salvas em %1</translation>
+    </message>
+    <message>
+        <source>no file is chosen; tick one</source>
+        <translation>nenhum arquivo foi escolhido; marque um</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importar %1</translation>
+    </message>
+    <message>
+        <source>Import %1 files</source>
+        <translation>Importar %1 arquivos</translation>
+    </message>
+    <message>
+        <source>Lines and reading</source>
+        <translation>Linhas e leitura</translation>
+    </message>
+    <message>
+        <source>What the lines are</source>
+        <translation>O que são as linhas</translation>
+    </message>
+    <message>
+        <source>How the file is read</source>
+        <translation>Como o arquivo é lido</translation>
+    </message>
+    <message>
+        <source>What is in the way</source>
+        <translation>O que impede</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Import this file</source>
+        <translation>Importar este arquivo</translation>
+    </message>
+    <message>
+        <source>Lines of the file</source>
+        <translation>Linhas do arquivo</translation>
+    </message>
+    <message>
+        <source>Kind of the selected lines</source>
+        <translation>Tipo das linhas selecionadas</translation>
+    </message>
+    <message>
+        <source>Selected lines are</source>
+        <translation>As linhas selecionadas são</translation>
+    </message>
+    <message>
+        <source>Pattern of names</source>
+        <translation>Padrão de nomes</translation>
+    </message>
+    <message>
+        <source>such as *fault*</source>
+        <translation>como *falha*</translation>
+    </message>
+    <message>
+        <source>* stands for any text, ? for one character; capitals count</source>
+        <translation>* vale por qualquer texto, ? por um caractere; maiúsculas contam</translation>
+    </message>
+    <message>
+        <source>Kind of the lines that fit the pattern</source>
+        <translation>Tipo das linhas que seguem o padrão</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Names like</source>
+        <translation>Nomes como</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>Padrões</translation>
+    </message>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Primeiras linhas de texto do arquivo</translation>
+    </message>
+    <message>
+        <source>Column of x</source>
+        <translation>Coluna de x</translation>
+    </message>
+    <message>
+        <source>Column of heights or depths</source>
+        <translation>Coluna de alturas ou profundidades</translation>
+    </message>
+    <message>
+        <source>Column of names</source>
+        <translation>Coluna de nomes</translation>
+    </message>
+    <message>
+        <source>Columns are separated by</source>
+        <translation>As colunas são separadas por</translation>
+    </message>
+    <message>
+        <source>what the file shows</source>
+        <translation>o que o arquivo mostra</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>espaços</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>tabulações</translation>
+    </message>
+    <message>
+        <source>commas</source>
+        <translation>vírgulas</translation>
+    </message>
+    <message>
+        <source>semicolons</source>
+        <translation>ponto e vírgula</translation>
+    </message>
+    <message>
+        <source>Second coordinate</source>
+        <translation>Segunda coordenada</translation>
+    </message>
+    <message>
+        <source>as the file says, else a height</source>
+        <translation>como diz o arquivo, senão uma altura</translation>
+    </message>
+    <message>
+        <source>height: grows upwards</source>
+        <translation>altura: cresce para cima</translation>
+    </message>
+    <message>
+        <source>depth: grows downwards</source>
+        <translation>profundidade: cresce para baixo</translation>
+    </message>
+    <message>
+        <source>Unit of the coordinates</source>
+        <translation>Unidade das coordenadas</translation>
+    </message>
+    <message>
+        <source>as the file and the scenario say</source>
+        <translation>como dizem o arquivo e o cenário</translation>
+    </message>
+    <message>
+        <source>Corners of the picture</source>
+        <translation>Cantos da imagem</translation>
+    </message>
+    <message>
+        <source>x and height, lower left; upper right</source>
+        <translation>x e altura, inferior esquerdo; superior direito</translation>
+    </message>
+    <message>
+        <source>Read all files like this one</source>
+        <translation>Ler todos os arquivos como este</translation>
+    </message>
+    <message>
+        <source>none, or as the header says</source>
+        <translation>nenhuma, ou como diz o cabeçalho</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profundidade</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altura</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nome</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 é %2</translation>
+    </message>
+    <message>
+        <source>select lines above</source>
+        <translation>selecione linhas acima</translation>
+    </message>
+    <message>
+        <source>No line of this file is called like &apos;%1&apos;.</source>
+        <translation>Nenhuma linha deste arquivo se chama como &apos;%1&apos;.</translation>
+    </message>
+    <message>
+        <source>and %1 more remarks</source>
+        <translation>e mais %1 observações</translation>
+    </message>
+    <message>
+        <source>%1: choose which of its %2 columns hold x, heights or depths, and names.</source>
+        <translation>%1: escolha quais de suas %2 colunas contêm x, alturas ou profundidades e nomes.</translation>
+    </message>
+    <message>
+        <source>Import &apos;%1&apos;</source>
+        <translation>Importar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Preview of the file</source>
+        <translation>Prévia do arquivo</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m upwards</source>
+        <translation>%1 a %2 m para cima</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m along</source>
+        <translation>%1 a %2 m ao longo</translation>
+    </message>
+    <message>
+        <source>heights × %1</source>
+        <translation>alturas × %1</translation>
+    </message>
+    <message>
+        <source>Nothing can be shown yet.</source>
+        <translation>Ainda não há o que mostrar.</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>(sem nome)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 parts)</source>
+        <translation>%1 (%2 partes)</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>o arquivo</translation>
+    </message>
+    <message>
+        <source>guess: its name</source>
+        <translation>palpite: o nome</translation>
+    </message>
+    <message>
+        <source>guess: its shape</source>
+        <translation>palpite: a forma</translation>
+    </message>
+    <message>
+        <source>pattern</source>
+        <translation>padrão</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>escolhido</translation>
+    </message>
+    <message>
+        <source>Says who</source>
+        <translation>Quem diz</translation>
+    </message>
+    <message>
+        <source>Keep them in a file beside</source>
+        <translation>Guardá-las em um arquivo ao lado</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfazer</translation>
+    </message>
+    <message>
+        <source>the scenario</source>
+        <translation>o cenário</translation>
+    </message>
+    <message>
+        <source>The lines of %1 are saved in %2 from now on; the file itself stays as it is.</source>
+        <translation>As linhas de %1 são salvas em %2 de agora em diante; o próprio arquivo fica como está.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be told from another line by its name; give both the same kind</source>
+        <translation>&apos;{}&apos; não se distingue de outra linha pelo nome; dê a ambas o mesmo tipo</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is there already; this one becomes &apos;{}&apos;</source>
+        <translation>&apos;{}&apos; já existe; esta passa a ser &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>no line is chosen; tick one</source>
+        <translation>nenhuma linha foi escolhida; marque uma</translation>
+    </message>
+    <message>
+        <source>this file names materials, points or holes besides its curves, and only one such file can be in a scenario; open it in a scenario of its own</source>
+        <translation>este arquivo nomeia materiais, pontos ou furos além das curvas, e um cenário só pode ter um arquivo assim; abra-o em um cenário próprio</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be taken by itself ({}); take all lines of the file, under their names</source>
+        <translation>&apos;{}&apos; não pode ser trazida sozinha ({}); traga todas as linhas do arquivo, com seus nomes</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>ela não tem nome</translation>
+    </message>
+    <message>
+        <source>it is in several parts</source>
+        <translation>ela está em várias partes</translation>
+    </message>
+    <message>
+        <source>another line has its name</source>
+        <translation>outra linha tem o nome dela</translation>
+    </message>
+    <message>
+        <source>the picture does not say where it lies; give its lower left and upper right corner</source>
+        <translation>a imagem não diz onde fica; dê o canto inferior esquerdo e o superior direito</translation>
+    </message>
+    <message>
+        <source>a section has one border; choose another kind for the others</source>
+        <translation>uma seção tem um só contorno; escolha outro tipo para os demais</translation>
+    </message>
+    <message>
+        <source>a specimen has it by its sizes; change these in the form</source>
+        <translation>um corpo de prova a tem por suas medidas; mude-as no formulário</translation>
+    </message>
+    <message>
+        <source>reading has made this; it cannot be edited by itself</source>
+        <translation>a leitura fez isto; não pode ser editado sozinho</translation>
+    </message>
+    <message>
+        <source>it is no longer there; run again</source>
+        <translation>já não está lá; execute de novo</translation>
+    </message>
+    <message>
+        <source>this is drawn by the program and cannot be edited; edit curves, cracks, points and regions</source>
+        <translation>isto é desenhado pelo programa e não pode ser editado; edite curvas, trincas, pontos e regiões</translation>
+    </message>
+    <message>
+        <source>As the drawing shows</source>
+        <translation>Como o desenho mostra</translation>
+    </message>
+    <message>
+        <source>Curves of these names are there already: those of the file become curves of the scenario.</source>
+        <translation>Já há curvas com estes nomes: as do arquivo tornam-se curvas do cenário.</translation>
+    </message>
+    <message>
+        <source>The scenario has a file already: the curves of this one become curves of the scenario.</source>
+        <translation>O cenário já tem um arquivo: as curvas deste tornam-se curvas do cenário.</translation>
+    </message>
+    <message>
+        <source>Growth horizon</source>
+        <translation>Horizonte de crescimento</translation>
+    </message>
+    <message>
+        <source>Eroded line</source>
+        <translation>Linha erodida</translation>
+    </message>
+    <message>
+        <source>Further names that its sides have in conditions and in the mesh.</source>
+        <translation>Outros nomes que seus lados têm nas condições e na malha.</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Conjuntos</translation>
+    </message>
+    <message>
+        <source>What curves of the file are, such as &apos;C*=crack&apos;: outline, hole, internal, crack, found (as the drawing shows), or none to leave them out; the first that fits a name counts.</source>
+        <translation>O que são as curvas do arquivo, como &apos;C*=crack&apos;: outline, hole, internal, crack, found (como o desenho mostra) ou none para deixá-las fora; vale o primeiro que serve a um nome.</translation>
+    </message>
+    <message>
+        <source>line: a chain of points; arc: centre and two points; spline: smooth through the points; bezier: cubics end to end, by their vertices.</source>
+        <translation>line: uma cadeia de pontos; arc: centro e dois pontos; spline: suave pelos pontos; bezier: cúbicas ponta a ponta, por seus vértices.</translation>
+    </message>
+    <message>
+        <source>line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; circle: centre and radius; spline: smooth through the points, closed if the last repeats the first; bezier: cubics end to end, by their vertices.</source>
+        <translation>line: uma cadeia de pontos; polygon: fechada; arc: centro e dois pontos, ou centro, raio, início e varredura; circle: centro e raio; spline: suave pelos pontos, fechada se o último repete o primeiro; bezier: cúbicas ponta a ponta, por seus vértices.</translation>
     </message>
 </context>
 </TS>

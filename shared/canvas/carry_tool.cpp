@@ -96,7 +96,10 @@ class CarryTool final : public Tool {
   }
   void finish(const Workspace& work) {
     if (carrying_ == Carrying::Copy) {
-      for (auto& [pick, line] : images(work)) say(Drawn{line.closed ? Shape::Polygon : Shape::Line, std::move(line)});
+      for (auto& [pick, line] : images(work)) {
+        const Shape shape = line.closed ? Shape::Polygon : line.points.size() == 1 ? Shape::Point : Shape::Line;
+        say(Drawn{shape, std::move(line)});
+      }
     } else {
       say(edit(work, Stage::Done));
     }

@@ -27,6 +27,19 @@ std::optional<scene::Pick> line_at(const Workspace& work, const Pointer& pointer
   return found->on;
 }
 
+/// The marker under the cursor that can be edited.
+std::optional<scene::Pick> marker_at(const Workspace& work, const Pointer& pointer) {
+  std::optional<scene::Pick> best;
+  double least = pointer.reach;
+  for (const auto& [pick, marker] : work.markers()) {
+    const double distance = page_distance(marker.points.front(), pointer.at, pointer);
+    if (distance > least || (best && distance == least) || !work.is_editable(pick)) continue;
+    least = distance;
+    best = pick;
+  }
+  return best;
+}
+
 struct VertexOf {
   scene::Pick pick;
   std::size_t vertex = 0;
@@ -82,6 +95,12 @@ class SelectTool final : public Tool {
       take_vertex(work, *handle, pointer.modifier);
       return;
     }
+    if (const auto pick = marker_at(work, pointer)) {
+      choose(work, *pick, pointer.modifier);
+      // It moves at once: there is nothing of it but this place.
+      if (work.selection.contains(*pick)) take_vertex(work, {*pick, 0}, Modifier::Add);
+      return;
+    }
     if (const auto pick = line_at(work, pointer)) {
       choose(work, *pick, pointer.modifier);
       return;
@@ -108,6 +127,10 @@ class SelectTool final : public Tool {
     if (pointer.modifier == Modifier::None) work.selection.clear();
     for (const auto& [pick, line] : work.lines()) {
       if (work.is_editable(pick) && band_->first != band_->second && banded(*line, band_->first, band_->second))
+        work.selection[pick];
+    }
+    for (const auto& [pick, marker] : work.markers()) {
+      if (work.is_editable(pick) && band_->first != band_->second && banded(marker, band_->first, band_->second))
         work.selection[pick];
     }
     band_.reset();
@@ -202,6 +225,10 @@ class SelectTool final : public Tool {
     for (const auto& [pick, chosen] : work.selection) {
       if (!vertices) edited.lines.push_back({pick, {}});
       if (chosen.empty()) continue;
+      if (vertices && work.line(pick)->points.size() == 1) {  // a marker goes as a whole
+        edited.lines.push_back({pick, {}});
+        continue;
+      }
       base::Result<Polyline> left = without_vertices(*work.line(pick), chosen);
       if (!left) {
         say(Told{left.error().message});
@@ -211,6 +238,7 @@ class SelectTool final : public Tool {
     }
     // Of the lines that are left none is selected: ids may pass on to others.
     if (vertices) {
+      std::erase_if(work.selection, [&](const auto& one) { return work.line(one.first)->points.size() == 1; });
       for (auto& [pick, chosen] : work.selection) chosen.clear();
     } else {
       work.selection.clear();

@@ -24,6 +24,15 @@ void Workspace::show(std::shared_ptr<const scene::Picture> picture, std::size_t 
   picture_ = std::move(picture);
   panel_ = panel;
   snaps_.reset();
+  markers_.clear();
+  for (const scene::Layer& layer : this->panel().layers) {
+    const auto* markers = std::get_if<scene::Markers>(&layer.content);
+    if (!layer.visible || markers == nullptr || hidden_.contains(layer.key)) continue;
+    for (std::uint32_t i = 0; i < markers->points.size(); ++i) {
+      markers_.emplace_back(scene::Pick{layer.key, markers->ids.empty() ? i : markers->ids[i]},
+                            geom::Polyline{{markers->points[i]}, false});
+    }
+  }
   for (auto& [pick, vertices] : std::exchange(selection, {})) {
     const geom::Polyline* there = line(pick);
     if (there == nullptr) continue;
@@ -42,6 +51,9 @@ const geom::Polyline* Workspace::line(const scene::Pick& pick) const {
   for_each_line(panel(), hidden_, [&](const scene::Pick& other, const geom::Polyline& line) {
     if (other == pick) found = &line;
   });
+  for (const auto& [other, marker] : markers_) {
+    if (found == nullptr && other == pick) found = &marker;
+  }
   return found;
 }
 
@@ -73,6 +85,9 @@ std::vector<std::pair<scene::Pick, std::size_t>> Workspace::vertices_at(geom::Po
       if (line.points[i] == at) found.emplace_back(pick, i);
     }
   });
+  for (const auto& [pick, marker] : markers_) {
+    if (marker.points.front() == at && is_editable(pick)) found.emplace_back(pick, 0);
+  }
   return found;
 }
 

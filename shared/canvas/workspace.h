@@ -37,15 +37,17 @@ class Workspace {
   [[nodiscard]] const scene::Panel& panel() const { return picture_->panels[panel_]; }
   /// Made when first asked for.
   [[nodiscard]] const SnapIndex& snaps() const;
-  /// Of a pick; null if it is no line of a visible layer.
+  /// Of a pick; null if it is no line of a visible layer. A marker is a line of one point.
   [[nodiscard]] const geom::Polyline* line(const scene::Pick& pick) const;
   /// What the layer of a pick is called; empty where there is none.
   [[nodiscard]] std::string title(const scene::Pick& pick) const;
   /// All lines of the visible layers.
   [[nodiscard]] std::vector<std::pair<scene::Pick, const geom::Polyline*>> lines() const;
+  /// All markers of the visible layers.
+  [[nodiscard]] const std::vector<std::pair<scene::Pick, geom::Polyline>>& markers() const { return markers_; }
   /// All lines but one.
   [[nodiscard]] std::vector<geom::Polyline> others(const scene::Pick& pick) const;
-  /// Every vertex of a visible line that can be edited and stands exactly there.
+  /// Every vertex of a visible line, and every marker, that can be edited and stands exactly there.
   [[nodiscard]] std::vector<std::pair<scene::Pick, std::size_t>> vertices_at(geom::Point at) const;
 
   Selection selection;
@@ -56,6 +58,7 @@ class Workspace {
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
   std::optional<std::set<scene::Pick>> editable_;
+  std::vector<std::pair<scene::Pick, geom::Polyline>> markers_;
   mutable std::optional<SnapIndex> snaps_;
 };
 

@@ -13,6 +13,7 @@
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
 #include "shared/canvas/selecting.h"
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/documents/line_entries.h"
 #include "shared/gui/documents/shown.h"
 #include "shared/gui/messages.h"
@@ -603,7 +604,9 @@ void Canvas::carry_out(const canvas::Edited& edited) {
   if (previewed_) {
     session_.look_at(*std::move(document));
   } else {
+    const std::vector<std::string> left = documents::files_left(session_.document(), *document, session_.program());
     session_.edit(*std::move(document), text_of(edited.what));
+    if (!left.empty()) emit taken_in(left);
   }
 }
 

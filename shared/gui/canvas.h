@@ -98,6 +98,8 @@ class Canvas : public QObject {
   void lines_changed();
   /// What only the user can decide.
   void asked(const dobra::canvas::Asked& what);
+  /// The lines of these files are the document's own now.
+  void taken_in(const std::vector<std::string>& files);
   /// Something was drawn that the user must say what it is.
   void drawn(const dobra::canvas::Drawn& what);
 

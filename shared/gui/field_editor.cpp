@@ -18,7 +18,7 @@
 #include <sstream>
 
 #include "shared/base/text.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 
@@ -327,7 +327,7 @@ class FileEditor : public LineEditor {
  private:
   void choose() {
     const QString chosen = QFileDialog::getOpenFileName(this, text("Choose a file"), from_path(folder_),
-                                                        file_filter(field_.options.files));
+                                                        importing::file_filter(field_.options.files));
     if (chosen.isEmpty()) return;
     const std::filesystem::path file = to_path(chosen);
     const std::filesystem::path relative =

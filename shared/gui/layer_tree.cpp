@@ -71,7 +71,8 @@ void LayerTree::show_picture(const scene::Picture& picture) {
   const QSignalBlocker quiet(this);
   clear();
   for (const scene::Panel& panel : wanted.panels) {
-    auto* branch = new QTreeWidgetItem(this, {title_of(panel.title, panel.key)});
+    // In no tree while it is filled: there, each leaf would ask all others what their branch is to show.
+    auto* branch = new QTreeWidgetItem(QStringList(title_of(panel.title, panel.key)));
     branch->setData(0, key_role, QString::fromStdString(panel.key));
     branch->setToolTip(0, branch->text(0));
     branch->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
@@ -83,6 +84,7 @@ void LayerTree::show_picture(const scene::Picture& picture) {
       leaf->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
       leaf->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
     }
+    addTopLevelItem(branch);
     branch->setExpanded(true);
   }
 }

@@ -19,7 +19,8 @@
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
+#include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
@@ -77,6 +78,7 @@ void MainWindow::make_center() {
   error_bar_ = new ErrorBar(center);
   view_ = new VtkWidget(center);
   column->addWidget(error_bar_);
+  make_taken_in_bar(*column);
   column->addWidget(view_, 1);
   setCentralWidget(center);
   hint_ = new QLabel(program_.drawing.add ? text("Open a scenario (Ctrl+O), drop one here, or draw the first line (L).")
@@ -95,6 +97,8 @@ void MainWindow::make_center() {
   connect(view_, &VtkWidget::picked, canvas_, &Canvas::tell_pick);
   connect(canvas_, &Canvas::told, this, [this](const QString& what) { status_->show_hint(what); });
   connect(canvas_, &Canvas::unfinished_changed, this, &MainWindow::show_undo);
+  connect(canvas_, &Canvas::taken_in, this,
+          [this](const std::vector<std::string>& files) { taken_in_bar_->say(files, session_.document()); });
   connect(canvas_, &Canvas::over_line, this, [this](const QString& dip) { status_->show_dip(dip); });
 }
 

@@ -13,6 +13,7 @@
 #include "shared/gui/step_list.h"
 #include "shared/gui/view/settings.h"
 
+class QBoxLayout;
 class QDockWidget;
 class QLabel;
 class QMenu;
@@ -31,6 +32,9 @@ class ParameterForm;
 class Results;
 class StatusLine;
 class VtkWidget;
+namespace importing {
+class TakenInBar;
+}
 namespace view {
 class ExaggerationBox;
 }
@@ -126,6 +130,12 @@ class MainWindow : public QMainWindow {
   bool ask_save();
   bool ask_save_as();
   void ask_save_picture();
+  void ask_import();
+  /// What becomes of lines that an edit has taken out of files is said, and asked.
+  void make_taken_in_bar(QBoxLayout& column);
+  void keep_lines_beside(bool beside);
+  /// Asks how the files are to be read, and brings them into the document as one edit.
+  void import_files(const std::vector<std::filesystem::path>& files);
   void open_asking(const std::filesystem::path& file);
   [[nodiscard]] QSettings settings() const;
   void remember_file(const std::filesystem::path& file);
@@ -162,6 +172,7 @@ class MainWindow : public QMainWindow {
   DrawBar* draw_bar_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
   ErrorBar* error_bar_ = nullptr;
+  importing::TakenInBar* taken_in_bar_ = nullptr;
   StepList* steps_ = nullptr;
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;

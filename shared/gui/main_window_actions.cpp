@@ -88,6 +88,14 @@ void MainWindow::add_file_actions() {
       {.id = "file.recent", .text = "Open &Recent", .menu = menu, .section = "open", .list = [this](QMenu& list) {
          fill_recent_menu(list);
        }});
+  if (program_.importing.look)
+    actions_.add({.id = "file.import",
+                  .text = "&Import...",
+                  .help = "Brings lines, drawings or pictures from files into the scenario.",
+                  .menu = menu,
+                  .section = "open",
+                  .keys = {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)},
+                  .run = [this] { ask_import(); }});
   actions_.add({.id = "file.save",
                 .text = "&Save",
                 .menu = menu,
@@ -102,6 +110,13 @@ void MainWindow::add_file_actions() {
                 .section = "save",
                 .keys = {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
                 .run = [this] { ask_save_as(); }});
+  actions_.add({.id = "file.lines_beside",
+                .text = "Keep &lines in a file beside",
+                .help = "Saving writes the lines of the scenario to a file of their own, which the scenario names.",
+                .menu = menu,
+                .section = "save",
+                .run = [this] { keep_lines_beside(session_.document().lines_file.empty()); },
+                .checked = [this] { return !session_.document().lines_file.empty(); }});
   actions_.add({.id = "file.save_picture",
                 .text = "Save &Picture...",
                 .menu = menu,

@@ -1,4 +1,5 @@
 // The window and its files: opening, saving, what is asked before something is lost, and what was lost before.
+#include <QBoxLayout>
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,10 +11,14 @@
 #include <QSettings>
 #include <set>
 
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/error_bar.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
+#include "shared/gui/importing/import_dialog.h"
+#include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
@@ -27,14 +32,25 @@ namespace {
 constexpr int most_recent_files = 10;
 constexpr const char* recent_key = "recent_files";
 
-QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
+QString scenario_filter() { return importing::file_filter({{"Scenarios", {".toml"}}}); }
 
-/// The scenario among what is dragged over the window; empty if there is none.
-QString dragged_file(const QMimeData& data) {
+/// The scenario among what is dragged over the window (empty if there is none), and what else lies on this machine.
+struct Dragged {
+  QString scenario;
+  std::vector<std::filesystem::path> others;
+};
+
+Dragged dragged_files(const QMimeData& data) {
+  Dragged files;
   for (const QUrl& url : data.urls()) {
-    if (url.isLocalFile() && url.toLocalFile().endsWith(".toml", Qt::CaseInsensitive)) return url.toLocalFile();
+    if (!url.isLocalFile()) continue;
+    const QString file = url.toLocalFile();
+    if (!file.endsWith(".toml", Qt::CaseInsensitive))
+      files.others.push_back(to_path(file));
+    else if (files.scenario.isEmpty())
+      files.scenario = file;
   }
-  return {};
+  return files;
 }
 
 }  // namespace
@@ -140,7 +156,7 @@ void MainWindow::ask_save_picture() {
   if (proposed.empty()) proposed = session_.document().folder() / "picture";
   proposed.replace_extension(endings.front());
   QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                filter_of({"Pictures", {endings.begin(), endings.end()}}));
+                                                importing::filter_of({"Pictures", {endings.begin(), endings.end()}}));
   if (chosen.isEmpty()) return;
   if (!to_path(chosen).has_extension()) chosen += endings.front();
   const base::Result<void> written = save_picture(to_path(chosen));
@@ -174,14 +190,60 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dragged_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  const Dragged files = dragged_files(*event->mimeData());
+  if (!files.scenario.isEmpty() || (program_.importing.look && !files.others.empty())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = dragged_file(*event->mimeData());
-  if (file.isEmpty()) return;
+  const Dragged files = dragged_files(*event->mimeData());
+  const bool can_import = program_.importing.look && !files.others.empty();
+  if (files.scenario.isEmpty() && !can_import) return;
   event->acceptProposedAction();
-  if (may_discard()) open_asking(to_path(file));
+  if (!files.scenario.isEmpty()) {
+    if (!may_discard()) return;
+    open_asking(to_path(files.scenario));
+  }
+  if (!can_import) return;
+  // The dialog waits until the one who let go is free again.
+  QMetaObject::invokeMethod(
+      this, [this, files] { import_files(files.others); }, Qt::QueuedConnection);
+}
+
+void MainWindow::ask_import() {
+  const QStringList chosen =
+      QFileDialog::getOpenFileNames(this, text("Import files"), from_path(session_.document().folder()),
+                                    importing::file_filter(program_.importing.files));
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : chosen) files.push_back(to_path(file));
+  if (!files.empty()) import_files(files);
+}
+
+void MainWindow::import_files(const std::vector<std::filesystem::path>& files) {
+  if (!settle()) return;
+  const auto wording = [this](const base::Error& error) {
+    return in_words_of_the_window(error, session_.document(), program_, 0);
+  };
+  importing::ImportDialog dialog(program_, session_.document(), files, wording, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  fit_next_ = true;
+  session_.edit(dialog.document(), dialog.what());
+}
+
+void MainWindow::make_taken_in_bar(QBoxLayout& column) {
+  taken_in_bar_ = new importing::TakenInBar;
+  column.addWidget(taken_in_bar_);
+  connect(taken_in_bar_, &importing::TakenInBar::beside_asked, this, [this] { keep_lines_beside(true); });
+  connect(taken_in_bar_, &importing::TakenInBar::undo_asked, this, [this] { session_.undo(); });
+  // Another document, or the one before: what was said is not of it. What is said of an edit comes after it.
+  connect(&session_, &Session::document_changed, taken_in_bar_, &QWidget::hide);
+}
+
+void MainWindow::keep_lines_beside(bool beside) {
+  if (!settle()) return;
+  session_.edit(documents::with_lines_beside(session_.document(), beside),
+                beside ? text("Keep lines in a file beside") : text("Keep lines in the scenario"));
+  if (beside)
+    status_->show_state(text("Lines are saved in %1").arg(QString::fromStdString(session_.document().lines_file)));
 }
 
 QSettings MainWindow::settings() const {

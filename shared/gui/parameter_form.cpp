@@ -13,7 +13,7 @@
 
 #include "shared/base/text.h"
 #include "shared/gui/field_editor.h"
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/tables_editor.h"
 #include "shared/gui/text.h"
@@ -79,7 +79,7 @@ QStringList range_of(const Field& field) {
   if (options.at_most) range << text("at most %1").arg(number(*options.at_most));
   if (options.other_than) range << text("not %1").arg(number(*options.other_than));
   for (const std::string& word : options.words) range << QString::fromStdString(word);
-  for (const scenario::FileKind& kind : options.files) range << filter_of(kind);
+  for (const scenario::FileKind& kind : options.files) range << importing::filter_of(kind);
   if (options.presence == scenario::Presence::Required) range << text("required");
   if (field.default_value) {
     const QString value = QString::fromStdString(scenario::value_text(*field.default_value));
@@ -276,7 +276,12 @@ void TableForm::show_conditions() {
     QWidget* editor = row->tables != nullptr ? static_cast<QWidget*>(row->tables) : row->editor;
     editor->setVisible(shown);
     editor->setEnabled(!lacking);
-    if (row->reset != nullptr) row->reset->setVisible(set && !lacking);
+    if (row->reset != nullptr) {
+      QSizePolicy policy = row->reset->sizePolicy();
+      policy.setRetainSizeWhenHidden(shown);  // a row that is not shown takes no room
+      row->reset->setSizePolicy(policy);
+      row->reset->setVisible(set && !lacking);
+    }
     row->vain->setVisible(set && lacking);
     if (lacking) row->vain_words->setText(without_effect(*lacking));
     row->message->setVisible(shown && !row->message->text().isEmpty());
@@ -386,8 +391,8 @@ void TableForm::set_table(const Table& table) {
     const Value* is = table_.find(row->field.key);
     const bool same = (was == nullptr) == (is == nullptr) && (is == nullptr || *was == *is);
     // An edit touches what it changes: a row that shows its value stays, and so does what is half typed in it.
-    const bool stays = same && row->shown && row->editor != nullptr &&
-                       (row->editor->unsettled() || row->message->text().isEmpty());
+    const bool stays =
+        same && row->shown && row->editor != nullptr && (row->editor->unsettled() || row->message->text().isEmpty());
     if (!stays) show_row(*row);
   }
   show_conditions();

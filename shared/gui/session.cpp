@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "shared/base/text.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/text.h"
@@ -38,7 +39,7 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
   DOBRA_TRY_VOID(scenario::check_program(document, program_));
   document.file = file;
   history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
-  known_bytes_ = bytes_on_disk();
+  remember_disk();
   outcome_ = nullptr;
   emit document_changed();
   run();
@@ -52,6 +53,7 @@ base::Result<void> Session::save(const std::filesystem::path& file) {
     keep_journal();
     journal_.wait();
   }
+  DOBRA_TRY_VOID(check_lines_file(moved(document())));
   DOBRA_TRY_VOID(scenario::write_document(moved(document()), file));
   const bool same_place = document().file == file;
   if (!same_place) {
@@ -60,19 +62,41 @@ base::Result<void> Session::save(const std::filesystem::path& file) {
   }
   history_.mark_saved();
   forget_unsaved();
-  known_bytes_ = bytes_on_disk();
+  remember_disk();
   emit document_changed();
   return {};
 }
 
-std::optional<std::string> Session::bytes_on_disk() const {
-  const base::Result<std::string> bytes = io::read_bytes(document().file);
-  return bytes ? std::optional(*bytes) : std::nullopt;
+/// A file of lines that stands there already is this document's own, or that of the document that is replaced.
+base::Result<void> Session::check_lines_file(const scenario::Document& target) const {
+  if (target.lines_file.empty()) return {};
+  const std::filesystem::path lines = target.folder() / target.lines_file;
+  const bool own = std::any_of(known_.begin(), known_.end(), [&](const auto& known) { return known.first == lines; });
+  std::error_code none;
+  if (own || !std::filesystem::exists(lines, none)) return {};
+  const auto there = scenario::read_document(target.file);
+  if (there && there->lines_file == target.lines_file) return {};
+  return base::Error{base::ErrorCode::CannotWrite,
+                     base::translated("the lines are to stand in this file, which is there already; save the scenario "
+                                      "under another name"),
+                     base::Place{.file = lines.string()}};
+}
+
+void Session::remember_disk() {
+  known_.clear();
+  std::vector<std::filesystem::path> files{document().file};
+  if (!document().lines_file.empty()) files.push_back(document().folder() / document().lines_file);
+  for (const std::filesystem::path& file : files) {
+    const base::Result<std::string> bytes = io::read_bytes(file);
+    known_.emplace_back(file, bytes ? std::optional(*bytes) : std::nullopt);
+  }
 }
 
 bool Session::changed_on_disk() const {
-  const std::optional<std::string> now = bytes_on_disk();
-  return now && now != known_bytes_;
+  return std::any_of(known_.begin(), known_.end(), [](const auto& known) {
+    const base::Result<std::string> now = io::read_bytes(known.first);
+    return now && *now != known.second;
+  });
 }
 
 void Session::edit(scenario::Document document, const QString& what) {
@@ -111,6 +135,7 @@ void Session::recover() {
   std::optional<scenario::Document> found = unsaved();
   if (!found) return;
   found->source = document().source;  // the journal's own is of no interest
+  found->lines_source = document().lines_source;
   edit(*std::move(found), text("Recover what was not saved"));
 }
 

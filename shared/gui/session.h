@@ -33,8 +33,8 @@ class Session : public QObject {
   /// Replaces document and history by what a file holds, and runs it. Nothing changes on an error.
   /// @error those of scenario::read_document; WrongProgram.
   base::Result<void> open(const std::filesystem::path& file);
-  /// Writes the document; from then on it lives at `file`.
-  /// @error CannotWrite
+  /// Writes the document, and its file of lines; from then on it lives at `file`.
+  /// @error CannotWrite, also where a file of lines is in the way that is not the document's.
   base::Result<void> save(const std::filesystem::path& file);
   /// What the journal of the document holds, from a window that did not come to its end; nothing if there is none.
   [[nodiscard]] std::optional<scenario::Document> unsaved() const;
@@ -45,7 +45,7 @@ class Session : public QObject {
   /// Waits until the journal is on the disk.
   void wait_for_journal() { journal_.wait(); }
 
-  /// The document's file is there, and is not what was last read from it or written to it.
+  /// The document's file, or its file of lines, is there, and is not what was last read from it or written to it.
   [[nodiscard]] bool changed_on_disk() const;
 
   /// Makes `document` the current one and runs it after a short pause, or behind the run in progress. A
@@ -77,8 +77,9 @@ class Session : public QObject {
   void go_on();
   void follow_edit();
   void finish(const documents::OutcomePtr& outcome);
-  /// What the document's file holds; nothing if it cannot be read.
-  [[nodiscard]] std::optional<std::string> bytes_on_disk() const;
+  [[nodiscard]] base::Result<void> check_lines_file(const scenario::Document& target) const;
+  /// What the document's files hold now is what the window knows of.
+  void remember_disk();
 
   const scenario::Program& program_;
   documents::History history_;
@@ -87,7 +88,8 @@ class Session : public QObject {
   documents::OutcomePtr outcome_;
   documents::Journal journal_;
   double last_edit_milliseconds_ = 0.0;
-  std::optional<std::string> known_bytes_;  ///< Of the document's file, when it was last read or written.
+  /// The document's file and its file of lines, and their bytes when they were last read or written.
+  std::vector<std::pair<std::filesystem::path, std::optional<std::string>>> known_;
 };
 
 }  // namespace dobra::gui

@@ -9,6 +9,7 @@
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/scenario/field.h"
+#include "shared/scenario/lines_file.h"
 #include "shared/scenario/toml_reader.h"
 #include "shared/scenario/toml_text.h"
 
@@ -32,7 +33,8 @@ std::vector<Field> top_fields() {
   Field title{"title", Kind::Text, {}, {}, {}, {}};
   Field units{"unit_system", Kind::Text, {.help = "Of every number of the file."}, {}, {}, {}};
   Field results{"result_units", Kind::Text, {.help = "Of the results, where they are to differ."}, {}, {}, {}};
-  return {version, program, title, units, results};
+  Field lines{"lines_file", Kind::Text, {.help = "Where the tables of the input stand."}, {}, {}, {}};
+  return {version, program, title, units, results, lines};
 }
 
 base::Result<void> read_top(const Table& top, Document& document) {
@@ -46,6 +48,7 @@ base::Result<void> read_top(const Table& top, Document& document) {
   }
   document.program = std::get<std::string>(*top.find("program"));
   if (const Value* title = top.find("title")) document.title = std::get<std::string>(*title);
+  if (const Value* lines = top.find("lines_file")) document.lines_file = std::get<std::string>(*lines);
   document.comment = top.comment;
   for (const char* key : {"unit_system", "result_units"}) {
     const Value* text = top.find(key);
@@ -203,8 +206,8 @@ base::Result<Document> parse_document(const std::string& text, const std::filesy
 base::Result<Document> read_document(const std::filesystem::path& file) {
   DOBRA_TRY(const std::string text, io::read_text(file));
   auto document = parse_document(text, file);
-  if (document || document.error().code != base::ErrorCode::BadSyntax || io::ending_of(file) == ".toml")
-    return document;
+  if (document) return with_lines_read(*std::move(document));
+  if (document.error().code != base::ErrorCode::BadSyntax || io::ending_of(file) == ".toml") return document;
   base::Error error = document.error();
   error.message = "no scenario, which is a .toml; other files are named in its [input] (" + error.message + ")";
   return error;
@@ -217,6 +220,7 @@ std::string document_text(const Document& document) {
   if (!document.title.empty()) out += entry_toml("title", document.title);
   if (!document.units.si()) out += entry_toml("unit_system", document.units.text());
   if (document.result_units) out += entry_toml("result_units", document.result_units->text());
+  if (!document.lines_file.empty()) out += entry_toml("lines_file", document.lines_file);
   if (!document.input.empty() || !document.input_comment.empty()) {
     out += '\n' + comment_toml(document.input_comment) + "[input]\n" + table_toml(document.input, "input");
   }
@@ -231,7 +235,11 @@ std::string document_text(const Document& document) {
 }
 
 base::Result<void> write_document(const Document& document, const std::filesystem::path& file) {
-  return io::write_file(file, saved_text(document));
+  // The lines first: a document that is there names lines that are there.
+  if (!document.lines_file.empty()) {
+    DOBRA_TRY_VOID(io::write_file(file.parent_path() / document.lines_file, lines_text(document)));
+  }
+  return io::write_file(file, own_text(document));
 }
 
 base::Result<void> set_units(Document& document, const std::string& key, const std::string& text) {

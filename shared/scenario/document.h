@@ -58,6 +58,10 @@ struct Document {
   std::string end_comment;                    ///< Comment lines after everything else.
   std::filesystem::path file;                 ///< Where it was read from or saved to; empty if neither.
   std::shared_ptr<const std::string> source;  ///< The text that it was read from; saving keeps what of it still holds.
+  /// The file beside that the tables of the input ([[input.horizon]] and so on) are saved in, from the document's
+  /// folder; empty: they stand in the document itself. In memory they are always in `input`.
+  std::string lines_file;
+  std::shared_ptr<const std::string> lines_source;  ///< As `source`, of that file.
 
   [[nodiscard]] const UnitSystem& shown_units() const { return result_units ? *result_units : units; }
   /// Relative paths in the document start here.
@@ -71,17 +75,19 @@ struct Document {
 /// @error BadSyntax, UnknownKey, MissingKey, BadValue with file:line:column.
 base::Result<Document> parse_document(const std::string& text, const std::filesystem::path& file);
 
-/// @error FileNotFound, NotAFile, CannotRead, EmptyFile, BadFormat (a binary file), and those of parse_document.
+/// With the tables of its file of lines, where it names one.
+/// @error FileNotFound, NotAFile, CannotRead, EmptyFile, BadFormat (a binary file), those of parse_document, and those
+/// of with_lines_read.
 base::Result<Document> read_document(const std::filesystem::path& file);
 
 /// Canonical text, whatever the source: parse_document(document_text(d)) gives d, and its text again is the same bytes.
 std::string document_text(const Document& document);
 
-/// What is saved: the text that the document was read from, with what has changed since in its place. The layout,
+/// The text that the document was read from, with what has changed since in its place. The layout,
 /// comments, and numbers of the rest stay to the byte. Canonical where there is no such text.
 std::string saved_text(const Document& document);
 
-/// Writes `saved_text` aside, then renames.
+/// Writes the text aside, then renames; its file of lines alike, before it.
 /// @error CannotWrite
 base::Result<void> write_document(const Document& document, const std::filesystem::path& file);
 

@@ -15,6 +15,7 @@
 #include "shared/base/progress.h"
 #include "shared/scenario/document.h"
 #include "shared/scenario/field.h"
+#include "shared/scenario/importing.h"
 #include "shared/scene/layer.h"
 #include "shared/scene/pick.h"
 
@@ -182,6 +183,7 @@ struct Program {
                             geom::Point at)>
       name_at{};
   Drawing drawing{};
+  Importing importing{};
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;

@@ -260,8 +260,8 @@ Error wrong_form(const toml::node& node, const std::string& file, std::string me
 
 base::Result<void> read_part(Reader& reader, const toml::key& key, const toml::node& node, const std::string& file,
                              ScenarioTables& out) {
-  static const std::array<std::string, 8> known = {"dobra",        "program", "title", "unit_system",
-                                                   "result_units", "input",   "step",  "expect"};
+  static const std::array<std::string, 9> known = {"dobra",      "program", "title", "unit_system", "result_units",
+                                                   "lines_file", "input",   "step",  "expect"};
   const std::string name(key.str());
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     std::string message =

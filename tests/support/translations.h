@@ -58,6 +58,8 @@ inline std::set<std::string> texts_of(const scenario::Program& program) {
     texts.insert({operation.title, operation.help});
     collect(operation.fields, texts);
   }
+  for (const scenario::Importing::Kind& kind : program.importing.kinds) texts.insert(kind.title);
+  for (const scenario::FileKind& kind : program.importing.files) texts.insert(kind.title);
   texts.erase("");
   return texts;
 }

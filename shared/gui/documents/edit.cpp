@@ -1,8 +1,11 @@
 #include "shared/gui/documents/edit.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include "shared/base/check.h"
+#include "shared/scenario/lines_file.h"
 
 namespace dobra::gui::documents {
 
@@ -78,6 +81,20 @@ Table moved_table(Table table, const std::vector<Field>& fields, const Path& fro
   return table;
 }
 
+/// Each once.
+void files_in(const Table& table, const std::vector<Field>& fields, std::vector<std::string>& names) {
+  for (const Field& field : fields) {
+    const Value* value = table.find(field.key);
+    if (value == nullptr) continue;
+    if (const auto* rows = std::get_if<std::vector<Table>>(value)) {
+      for (const Table& row : *rows) files_in(row, field.fields, names);
+    }
+    const auto* name = std::get_if<std::string>(value);
+    if (name == nullptr || name->empty() || field.kind != scenario::Kind::File) continue;
+    if (std::find(names.begin(), names.end(), *name) == names.end()) names.push_back(*name);
+  }
+}
+
 }  // namespace
 
 Document at_file(Document document, const Program& program, const Path& file) {
@@ -92,7 +109,31 @@ Document at_file(Document document, const Program& program, const Path& file) {
       document = with_table(std::move(document), part, std::move(moved));
     }
   }
+  // Two documents do not share one file of lines.
+  if (!document.lines_file.empty() && document.file != file) document.lines_file = scenario::lines_name(file);
   document.file = file;
+  return document;
+}
+
+std::vector<std::string> files_left(const Document& before, const Document& after, const Program& program) {
+  std::vector<std::string> names;
+  files_in(before.input, program.input_fields, names);
+  std::vector<std::string> left;
+  files_in(after.input, program.input_fields, left);
+  std::erase_if(names,
+                [&](const std::string& name) { return std::find(left.begin(), left.end(), name) != left.end(); });
+  return names;
+}
+
+Document with_lines_beside(Document document, bool beside) {
+  if (document.lines_file.empty() != beside) return document;
+  document.lines_source = nullptr;
+  document.lines_file = beside ? scenario::lines_name(document.file) : std::string();
+  // What stands beside already is somebody's.
+  for (int copy = 2;
+       beside && !document.file.empty() && std::filesystem::exists(document.folder() / document.lines_file); ++copy) {
+    document.lines_file = document.file.stem().string() + " (" + std::to_string(copy) + ").lines.toml";
+  }
   return document;
 }
 

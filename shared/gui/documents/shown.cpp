@@ -19,6 +19,15 @@ void for_each_line(const scene::Panel& panel, Visitor&& visit) {
   }
 }
 
+template <class Visitor>
+void for_each_marker(const scene::Panel& panel, Visitor&& visit) {
+  for (const scene::Layer& layer : panel.layers) {
+    const auto* markers = std::get_if<scene::Markers>(&layer.content);
+    for (std::uint32_t i = 0; markers != nullptr && i < markers->points.size(); ++i)
+      visit(scene::Pick{layer.key, markers->ids.empty() ? i : markers->ids[i]}, markers->points[i]);
+  }
+}
+
 const std::string ghost = "ghost.";
 
 scene::Color faint(scene::Color color) {
@@ -108,6 +117,14 @@ std::set<scene::Pick> lines_of_input(const scene::Panel& panel, const Outcome& o
         const auto found = shown.find(known);
         if (found != shown.end() && *found->second == line) same.insert(known);
       }
+    });
+  }
+  std::map<scene::Pick, geom::Point> marked;
+  for_each_marker(panel, [&](const scene::Pick& pick, geom::Point at) { marked[pick] = at; });
+  for (const scene::Panel& of_input : outcome.input->panels) {
+    for_each_marker(of_input, [&](const scene::Pick& pick, geom::Point at) {
+      const auto found = marked.find(pick);
+      if (found != marked.end() && found->second == at) same.insert(pick);
     });
   }
   return same;

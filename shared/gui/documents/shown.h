@@ -22,7 +22,8 @@ scene::Picture picture_of(const Outcome& outcome, Shown shown, Beside beside = B
 /// The line of the input that a line of a panel is: that of a ghost is called otherwise.
 scene::Pick of_input(scene::Pick pick);
 
-/// The lines of a panel that stand there as in the input: those are edited. Those of a ghost are among them.
+/// The lines and markers of a panel that stand there as in the input: those are edited. Those of a ghost are among
+/// them.
 std::set<scene::Pick> lines_of_input(const scene::Panel& panel, const Outcome& outcome);
 
 }  // namespace dobra::gui::documents

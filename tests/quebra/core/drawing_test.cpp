@@ -163,7 +163,7 @@ TEST(Drawing, WhatTheDocumentDoesNotHoldIsRefused) {
   const auto refused =
       with_curves_edited(document, model, std::vector<LineEdit>{{{crack ? "cracks" : "boundary", 0}, {}}});
   ASSERT_FALSE(refused);
-  EXPECT_NE(to_string(refused.error()).find("a file or a specimen"), std::string::npos);
+  EXPECT_NE(to_string(refused.error()).find("a specimen has it by its sizes"), std::string::npos);
   EXPECT_FALSE(with_curves_edited(document, model, std::vector<LineEdit>{{{"mesh", 0}, {}}}));
   EXPECT_FALSE(with_curve(document_of(plate), "crack", "hole", {{{0, 0}, {1, 1}}, false}));
   EXPECT_FALSE(with_curve(document_of(plate), "crack", " ", {{{0, 0}, {1, 1}}, false}));

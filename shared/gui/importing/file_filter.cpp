@@ -1,10 +1,10 @@
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 
 #include <QStringList>
 
-#include "shared/gui/text.h"
+#include "shared/gui/importing/words.h"
 
-namespace dobra::gui {
+namespace dobra::gui::importing {
 namespace {
 
 QString filter(const QString& title, const std::vector<std::string>& endings) {
@@ -30,4 +30,4 @@ QString file_filter(const std::vector<scenario::FileKind>& kinds) {
   return filters.join(";;");
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::importing

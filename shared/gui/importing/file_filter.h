@@ -6,7 +6,7 @@
 
 #include "shared/scenario/field.h"
 
-namespace dobra::gui {
+namespace dobra::gui::importing {
 
 /// "Scenarios (*.toml)" in the user's language.
 QString filter_of(const scenario::FileKind& kind);
@@ -14,4 +14,4 @@ QString filter_of(const scenario::FileKind& kind);
 /// All kinds at once first, where they are several; then each; then all files. Of no kind: empty, which is all files.
 QString file_filter(const std::vector<scenario::FileKind>& kinds);
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::importing

@@ -1,4 +1,4 @@
-#include "shared/gui/file_filter.h"
+#include "shared/gui/importing/file_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "shared/gui/field_editor.h"
 #include "tests/shared/gui/brazilian.h"
 
-namespace dobra::gui {
+namespace dobra::gui::importing {
 namespace {
 
 const std::vector<scenario::FileKind> kinds{{"Text", {".csv", ".txt"}}, {"Neutral file", {".nf"}}};
@@ -48,4 +48,4 @@ TEST(FileFilter, IsThatOfTheDialogOfAField) {
 }
 
 }  // namespace
-}  // namespace dobra::gui
+}  // namespace dobra::gui::importing
