@@ -45,11 +45,21 @@ std::vector<Point> points_in_document(const geom::Polyline& line, const std::vec
                                       const Lengths& lengths) {
   const double rounding = 1e-12 * geom::box_of(written).diagonal();
   std::vector<Point> points;
+  const std::ptrdiff_t more = std::ssize(written) - std::ssize(line.points);
   for (const Point shown : line.points) {
     const Point p = lengths.in_document(shown);
-    const auto same =
-        std::find_if(written.begin(), written.end(), [&](Point q) { return geom::distance(p, q) <= rounding; });
-    points.push_back(same == written.end() ? p : *same);
+    const auto is_it = [&](Point q) { return geom::distance(p, q) <= rounding; };
+    // In its old place, counted from either end: most points of a line have not moved.
+    std::optional<Point> same;
+    for (const std::ptrdiff_t at : {std::ssize(points), std::ssize(points) + more}) {
+      if (!same && at >= 0 && at < std::ssize(written) && is_it(written[static_cast<std::size_t>(at)]))
+        same = written[static_cast<std::size_t>(at)];
+    }
+    if (!same) {
+      const auto found = std::find_if(written.begin(), written.end(), is_it);
+      if (found != written.end()) same = *found;
+    }
+    points.push_back(same.value_or(p));
   }
   return points;
 }

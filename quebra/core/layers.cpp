@@ -130,9 +130,10 @@ scene::Layer mesh_layer(const mesh::ElementMesh& mesh) {
   content.points = mesh.points;
   content.values_at = scene::ValuesAt::Triangles;
   const std::vector<double> values = quality_fields(mesh).at_elements.front().values;
+  auto& triangles = content.triangles.edit();
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    add_triangles(mesh, e, content.triangles);
-    content.values.resize(content.triangles.size(), values[e]);
+    add_triangles(mesh, e, triangles);
+    content.values.edit().resize(triangles.size(), values[e]);
   }
   content.scale = {
       only_triangles(mesh) ? translated("quality alpha") : translated("quality (alpha, shape of quadrilaterals)"),
@@ -157,7 +158,7 @@ scene::Layer size_layer(const model::Meshed& meshed) {
   content.values_at = scene::ValuesAt::Points;
   mesh::sizing::SizeSampler sampler(*meshed.sizes);
   for (const geom::Point p : content.points) content.values.push_back(sampler.at(p));
-  for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
+  for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles.edit());
   const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
   constexpr double many = 20.0;
   content.scale = {.title = translated("size [m]"),
@@ -170,7 +171,7 @@ scene::Layer size_layer(const model::Meshed& meshed) {
     scene::Scale& scale = content.scale;
     scale.ticks = scene::AxisScale::Log10;
     for (double* end : {&scale.low, &scale.high, &*scale.least, &*scale.greatest}) *end = std::log10(*end);
-    for (double& value : content.values) value = std::log10(value);
+    for (double& value : content.values.edit()) value = std::log10(value);
   } else {
     scene::settle_constant(content, *greatest);
   }

@@ -316,7 +316,7 @@ scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_cas
                      .scale = scale};
   if (params.field == analysis::FieldName::Error) {
     colors.values_at = scene::ValuesAt::Triangles;
-    colors.values.clear();
+    colors.values = {};
     for (const std::size_t e : drawing.element)
       colors.values.push_back(analysis.fields[load_case].estimate.elements[e]);
   }
@@ -328,7 +328,7 @@ scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_cas
   if (params.contours > 0 && params.field != analysis::FieldName::Error && !constant) {
     scene::Lines contours;
     for (int i = 1; i <= params.contours; ++i)
-      add_contour(drawing, least + (greatest - least) * i / (params.contours + 1), contours.lines);
+      add_contour(drawing, least + (greatest - least) * i / (params.contours + 1), contours.lines.edit());
     add("contours", translated("Contours"), {.line = contour_line, .line_width = 0.8}, std::move(contours),
         scene::InLegend::No);
   }

@@ -39,13 +39,25 @@ class Coordinates {
   /// Points that have not moved keep the numbers that the user wrote.
   [[nodiscard]] std::vector<geom::Point> in_document(const geom::Polyline& line,
                                                      const std::vector<geom::Point>& written) const {
+    // Most lines differ in few places: what is the same from either end needs no search.
+    const std::size_t least = std::min(line.points.size(), written.size());
+    const auto same = [&](std::size_t i, std::size_t j) {
+      return to_section(written[j], convention_) == line.points[i];
+    };
+    std::size_t head = 0;
+    while (head < least && same(head, head)) ++head;
+    std::size_t tail = 0;
+    while (tail < least - head && same(line.points.size() - 1 - tail, written.size() - 1 - tail)) ++tail;
     std::map<geom::Point, geom::Point> known;
-    for (const geom::Point p : written) known.emplace(to_section(p, convention_), p);
-    std::vector<geom::Point> points;
-    for (const geom::Point p : line.points) {
-      const auto found = known.find(p);
-      points.push_back(found == known.end() ? section::from_section(p, convention_) : found->second);
+    for (std::size_t j = head; j < written.size() - tail; ++j)
+      known.emplace(to_section(written[j], convention_), written[j]);
+    std::vector<geom::Point> points(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(head));
+    points.reserve(line.points.size() + 1);
+    for (std::size_t i = head; i < line.points.size() - tail; ++i) {
+      const auto found = known.find(line.points[i]);
+      points.push_back(found == known.end() ? section::from_section(line.points[i], convention_) : found->second);
     }
+    points.insert(points.end(), written.end() - static_cast<std::ptrdiff_t>(tail), written.end());
     if (line.closed) points.push_back(points.front());
     return points;
   }
@@ -54,10 +66,10 @@ class Coordinates {
   section::Convention convention_;
 };
 
-/// What says how a file is read, or what its points mean: of no use beside points.
-constexpr std::array<const char*, 14> keys_of_files{"file",  "feature",     "columns", "separator",       "y_axis",
+/// What says how a file is read, or what its points mean: of no use beside points of the document.
+constexpr std::array<const char*, 13> keys_of_files{"file",  "feature",     "columns", "separator",       "y_axis",
                                                     "unit",  "point_order", "order",   "drop_duplicates", "join_gaps",
-                                                    "curve", "tangents",    "weights", "points"};
+                                                    "curve", "tangents",    "weights"};
 
 void set_points(scenario::Table& entry, const std::string& table, std::vector<geom::Point> points) {
   for (const char* key : keys_of_files) {

@@ -11,8 +11,15 @@ void add_once(const std::string& name, std::vector<std::string>& names) {
   if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
+/// Without any there are no blocks, and their outline, which costs more than all else here, is not needed.
+bool has_faults(const section::Section& section) {
+  return std::any_of(section.lines.begin(), section.lines.end(),
+                     [](const section::SectionLine& line) { return line.kind == section::LineKind::Fault; });
+}
+
 std::vector<std::string> block_names(const section::Section& section) {
   std::vector<std::string> names;
+  if (!has_faults(section)) return names;
   const auto faults = faults::faults_of(section, {});
   if (!faults || faults->empty()) return names;
   const auto blocks = faults::Blocks::make(section, *faults, {});
@@ -23,6 +30,7 @@ std::vector<std::string> block_names(const section::Section& section) {
 }
 
 std::string block_at(const section::Section& section, geom::Point at) {
+  if (!has_faults(section)) return {};
   const auto faults = faults::faults_of(section, {});
   if (!faults || faults->empty()) return {};
   const auto blocks = faults::Blocks::make(section, *faults, {});

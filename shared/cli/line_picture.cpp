@@ -117,7 +117,8 @@ class LinePicture {
         if (layer.title != wholes_[i] || std::holds_alternative<scene::Regions>(layer.content) != area) continue;
         if (area) add_regions(feature, std::get<scene::Regions>(layer.content));
         if (auto* lines = std::get_if<scene::Lines>(&layer.content); lines != nullptr && layer.legend.empty()) {
-          lines->lines.insert(lines->lines.end(), feature.parts.begin(), feature.parts.end());
+          std::vector<geom::Polyline>& all = lines->lines.edit();
+          all.insert(all.end(), feature.parts.begin(), feature.parts.end());
         } else if (!area) {
           continue;
         }

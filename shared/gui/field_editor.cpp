@@ -38,6 +38,12 @@ constexpr int settle_milliseconds = 350;  ///< After the last step of a spin box
 
 /// Default values are shown paler and slanted, so that one sees what the document says itself.
 void show_origin(QWidget& widget, FieldEditor::Origin origin) {
+  const QPalette now;
+  const QColor wanted = now.color(origin == FieldEditor::Origin::Default ? QPalette::PlaceholderText : QPalette::Text);
+  // Each change of a font or a palette is told to all that is inside.
+  if (widget.font().italic() == (origin == FieldEditor::Origin::Default) &&
+      widget.palette().color(QPalette::Active, QPalette::Text) == wanted)
+    return;
   QFont font = widget.font();
   font.setItalic(origin == FieldEditor::Origin::Default);
   widget.setFont(font);
@@ -480,7 +486,7 @@ class PointsEditor : public FieldEditor {
   ~PointsEditor() override { disconnect(leaving_, nullptr, this, nullptr); }
   void show_value(const Values& value, Origin origin) override {
     const QString words =
-        value ? QString::fromStdString(text_of_points(std::get<std::vector<geom::Point>>(*value))) : QString();
+        value ? QString::fromStdString(text_of_points(std::get<scenario::Points>(*value).list())) : QString();
     // The user's own layout stays while it means the same: the document comes back after each change.
     const base::Result<std::vector<geom::Point>> typed = points_from_text(edit_->toPlainText().toStdString());
     if (!value || !typed || Value(*typed) != *value) {

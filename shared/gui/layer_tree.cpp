@@ -43,6 +43,21 @@ std::string key_of(const QTreeWidgetItem* item) { return item->data(0, key_role)
 
 }  // namespace
 
+std::vector<LayerTree::Entry> LayerTree::entries_of(const scene::Picture& picture) {
+  std::vector<Entry> entries;
+  for (const scene::Panel& panel : picture.panels) {
+    entries.push_back({panel.key, panel.title, {}, {}, true});
+    for (const scene::Layer& layer : panel.layers) {
+      const auto* mesh = std::get_if<scene::Mesh>(&layer.content);
+      const bool values = mesh != nullptr && mesh->values_at != scene::ValuesAt::None;
+      const std::string kind = std::to_string(layer.content.index()) +
+                               (values ? "v" + std::to_string(static_cast<int>(mesh->scale.map)) : std::string());
+      entries.push_back({layer.key, layer.title, kind, layer.style, layer.visible});
+    }
+  }
+  return entries;
+}
+
 LayerTree::LayerTree(QWidget* parent) : QTreeWidget(parent) {
   setHeaderHidden(true);
   setColumnCount(1);
@@ -53,11 +68,15 @@ LayerTree::LayerTree(QWidget* parent) : QTreeWidget(parent) {
 }
 
 void LayerTree::show_picture(const scene::Picture& picture) {
+  const scene::Picture wanted = chosen(picture);
+  std::vector<Entry> entries = entries_of(wanted);
+  if (entries == shown_) return;  // a run that changes places leaves the tree as it is
+  shown_ = std::move(entries);
   const QSignalBlocker quiet(this);
   clear();
-  const scene::Picture wanted = chosen(picture);
   for (const scene::Panel& panel : wanted.panels) {
-    auto* branch = new QTreeWidgetItem(this, {title_of(panel.title, panel.key)});
+    // In no tree while it is filled: there, each leaf would ask all others what their branch is to show.
+    auto* branch = new QTreeWidgetItem(QStringList(title_of(panel.title, panel.key)));
     branch->setData(0, key_role, QString::fromStdString(panel.key));
     branch->setToolTip(0, branch->text(0));
     branch->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
@@ -69,6 +88,7 @@ void LayerTree::show_picture(const scene::Picture& picture) {
       leaf->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
       leaf->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
     }
+    addTopLevelItem(branch);
     branch->setExpanded(true);
   }
 }
@@ -117,6 +137,7 @@ void LayerTree::take_change(QTreeWidgetItem* item) {
   const auto before = choices_.find(key);
   if (before != choices_.end() && before->second == visible) return;
   choices_[key] = visible;
+  shown_.clear();  // the next picture tells all of it
   emit visibility_changed(key.first, key.second, visible);
 }
 

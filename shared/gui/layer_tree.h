@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "shared/scene/layer.h"
 
@@ -42,9 +43,20 @@ class LayerTree : public QTreeWidget {
 
  private:
   using Key = std::pair<std::string, std::string>;
+  /// What a line of the tree tells.
+  struct Entry {
+    std::string key;
+    std::string title;
+    std::string kind;
+    scene::Style style;
+    bool visible = true;
+    friend bool operator==(const Entry&, const Entry&) = default;
+  };
+  static std::vector<Entry> entries_of(const scene::Picture& picture);
   void take_change(QTreeWidgetItem* item);
 
   std::map<Key, bool> choices_;
+  std::vector<Entry> shown_;
 };
 
 }  // namespace dobra::gui

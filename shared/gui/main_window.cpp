@@ -366,7 +366,7 @@ void MainWindow::show_form() {
 }
 
 void MainWindow::offer_names(std::size_t part) {
-  form_->form()->offer([&](const std::string& what) -> std::vector<std::string> {
+  form_->form()->offer([this, part](const std::string& what) -> std::vector<std::string> {
     const documents::OutcomePtr& outcome = session_.outcome();
     if (part == 0 || !program_.names_of || !outcome || outcome->run.states.size() < part) return {};
     return program_.names_of(outcome->run.states[part - 1], what);
@@ -410,6 +410,11 @@ void MainWindow::show_outcome() {
   actions_.refresh();
   if (!session_.outcome()) return;
   const documents::Outcome& outcome = *session_.outcome();
+  frames::Meter& meter = view_->meter();
+  meter.add(frames::Part::Edit, session_.last_edit_milliseconds());
+  meter.add(frames::Part::Run, 1000.0 * outcome.run_seconds);
+  meter.add(frames::Part::Layers, 1000.0 * (outcome.seconds - outcome.run_seconds));
+  meter.expect_state();
   error_.reset();
   error_bar_->clear();
   view_->clear_place();

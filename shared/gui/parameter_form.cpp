@@ -39,6 +39,7 @@ struct TableForm::Row {
   QLabel* message = nullptr;
   QWidget* vain = nullptr;  ///< That the value has no effect, with a button that removes it.
   QLabel* vain_words = nullptr;
+  bool shown = false;  ///< Its editor shows a value of the table.
 };
 
 namespace {
@@ -315,6 +316,9 @@ void TableForm::connect_row(Row& row) {
   if (row.tables != nullptr) {
     connect(row.tables, &TablesEditor::wants_to_be_seen, this, &TableForm::wants_to_be_seen);
     connect(row.tables, &TablesEditor::pointing_asked, this, &TableForm::pointing_asked);
+    connect(row.tables, &TablesEditor::form_made, this, [this](TableForm* form) {
+      if (names_) form->offer(names_);
+    });
     connect(row.tables, &TablesEditor::entered, this,
             [this, &row](const std::vector<Table>& tables, const QString& key) {
               if (tables.empty())
@@ -355,6 +359,7 @@ void TableForm::reset(Row& row) {
 }
 
 void TableForm::show_row(Row& row) {
+  row.shown = true;
   const Value* written = table_.find(row.field.key);
   QString wrong = judge(row.field, written);
   // In the one type of the field's kind; nothing if it is written as another kind, which `wrong` then says.
@@ -385,34 +390,49 @@ void TableForm::set_table(const Table& table) {
     const Value* was = before.find(row->field.key);
     const Value* is = table_.find(row->field.key);
     const bool same = (was == nullptr) == (is == nullptr) && (is == nullptr || *was == *is);
-    if (!same || row->editor == nullptr || !row->editor->unsettled()) show_row(*row);
+    // An edit touches what it changes: a row that shows its value stays, and so does what is half typed in it.
+    const bool stays =
+        same && row->shown && row->editor != nullptr && (row->editor->unsettled() || row->message->text().isEmpty());
+    if (!stays) show_row(*row);
   }
   show_conditions();
   add_stray_rows();
 }
 
+void TableForm::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->shown && row->editor != nullptr && !row->editor->unsettled()) show_row(*row);
+  }
+}
+
 void TableForm::commit() {
   for (const std::unique_ptr<Row>& row : rows_) {
     if (row->editor != nullptr) row->editor->commit();
-    for (std::size_t i = 0; row->tables != nullptr && i < row->tables->count(); ++i) row->tables->form(i).commit();
+    if (row->tables == nullptr) continue;
+    for (TableForm* form : row->tables->made_forms()) form->commit();
   }
 }
 
 std::optional<QString> TableForm::unsettled() const {
   for (const std::unique_ptr<Row>& row : rows_) {
     if (row->editor != nullptr && row->editor->unsettled()) return row->message->text();
-    for (std::size_t i = 0; row->tables != nullptr && i < row->tables->count(); ++i) {
-      if (std::optional<QString> inside = row->tables->form(i).unsettled()) return inside;
+    if (row->tables == nullptr) continue;
+    for (const TableForm* form : row->tables->made_forms()) {
+      if (std::optional<QString> inside = form->unsettled()) return inside;
     }
   }
   return std::nullopt;
 }
 
-void TableForm::offer(const NamesOf& names) {
+void TableForm::offer(NamesOf names) {
+  names_ = std::move(names);
   for (const std::unique_ptr<Row>& row : rows_) {
     if (row->editor != nullptr && !row->field.options.names.empty())
-      row->editor->offer(names(row->field.options.names));
-    for (std::size_t i = 0; row->tables != nullptr && i < row->tables->count(); ++i) row->tables->form(i).offer(names);
+      row->editor->offer(names_(row->field.options.names));
+    if (row->tables == nullptr) continue;
+    for (TableForm* form : row->tables->made_forms()) form->offer(names_);
   }
 }
 
@@ -489,7 +509,7 @@ bool TableForm::mark(const base::Place& place, const QString& message) {
   for (const std::unique_ptr<Row>& row : rows_) {
     if (row->tables != nullptr) {
       for (std::size_t i = 0; i < row->tables->count(); ++i) {
-        const std::vector<Table::Entry>& entries = row->tables->form(i).table().entries();
+        const std::vector<Table::Entry>& entries = row->tables->table(i).entries();
         const auto here = [&](const Table::Entry& entry) { return is_at(entry.place, place); };
         if (!std::any_of(entries.begin(), entries.end(), here)) continue;
         return row->tables->open(i).mark(place, message);

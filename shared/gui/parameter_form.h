@@ -40,8 +40,8 @@ class TableForm : public QWidget {
   [[nodiscard]] const scenario::Table& table() const { return table_; }
   [[nodiscard]] const std::vector<scenario::Field>& fields() const { return fields_; }
 
-  /// Gives each editor of a name the names there are.
-  void offer(const NamesOf& names);
+  /// Gives each editor of a name the names there are, now and when it is made.
+  void offer(NamesOf names);
 
   /// Fields that hold names and places of the model get a button that asks for them (pointing_asked).
   void canvas_answers();
@@ -69,6 +69,10 @@ class TableForm : public QWidget {
   /// The user wants to point at what `editor` is to hold: a name, a point, or a coordinate (FieldOptions::names).
   void pointing_asked(dobra::gui::FieldEditor* editor, const dobra::scenario::Field& field);
 
+ protected:
+  /// Another theme: what is shown takes its colours.
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Row;
   void add_row(const scenario::Field& field, QGridLayout& grid);
@@ -91,6 +95,7 @@ class TableForm : public QWidget {
   scenario::Table table_;
   std::vector<std::unique_ptr<Row>> rows_;
   QVBoxLayout* strays_ = nullptr;  ///< Keys of the table that no field has.
+  NamesOf names_ = nullptr;
   bool canvas_answers_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
@@ -65,7 +66,9 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QuantityTre
   quantities_->setHeaderLabels({text("Quantity"), text("Value")});
   quantities_->header()->setStretchLastSection(false);
   quantities_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  quantities_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  // Once a run and not at each number; the lines in sight, and some hundred of thousands below.
+  quantities_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  quantities_->header()->setResizeContentsPrecision(200);
   quantities_->setIndentation(12);
   quantities_->setAlternatingRowColors(true);
   quantities_->setTextElideMode(Qt::ElideMiddle);
@@ -93,32 +96,60 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QuantityTre
 }
 
 void Results::show_outcome(const documents::Outcome& outcome) {
+  show_quantities(outcome.quantities);
+  show_remarks(outcome);
+}
+
+void Results::show_quantities(const std::vector<scenario::Quantity>& quantities) {
+  std::vector<std::string> names;
+  for (const scenario::Quantity& quantity : quantities) names.push_back(quantity.name);
+  // A run that changes numbers changes no more than numbers.
+  if (names != names_) list_names(quantities);
+  names_ = std::move(names);
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const scenario::Quantity& quantity = quantities[i];
+    const QString value = (readable(quantity.value) + " " + QString::fromStdString(quantity.unit)).trimmed();
+    if (lines_[i]->text(1) != value) lines_[i]->setText(1, value);
+    const QString whole = QString::fromStdString(base::number_text(quantity.value));
+    lines_[i]->setToolTip(1, whole);
+    const QStringList copied{QString::fromStdString(quantity.name), whole, QString::fromStdString(quantity.unit)};
+    lines_[i]->setData(0, copied_role, copied.join('\t').trimmed());
+  }
+  quantities_->resizeColumnToContents(1);
+}
+
+void Results::list_names(const std::vector<scenario::Quantity>& quantities) {
   quantities_->clear();
+  lines_.clear();
+  QList<QTreeWidgetItem*> top;  // shown all at once
   QTreeWidgetItem* group = nullptr;
   QString group_name;
-  for (const scenario::Quantity& quantity : outcome.quantities) {
+  for (const scenario::Quantity& quantity : quantities) {
     const QString name = QString::fromStdString(quantity.name);
     const auto dot = name.lastIndexOf('.');
     const QString prefix = name.left(std::max<qsizetype>(dot, 0));
     if (prefix != group_name) {
       group_name = prefix;
-      group = prefix.isEmpty() ? nullptr : new QTreeWidgetItem(quantities_, {catalogue::words_of_group(prefix)});
+      group = prefix.isEmpty() ? nullptr : new QTreeWidgetItem(QStringList(catalogue::words_of_group(prefix)));
       if (group != nullptr) {
-        group->setFirstColumnSpanned(true);
         group->setToolTip(0, prefix);
         group->setData(0, copied_role, prefix);
+        top << group;
       }
     }
-    const QString value = (readable(quantity.value) + " " + QString::fromStdString(quantity.unit)).trimmed();
-    const QStringList cells{catalogue::words_of_quantity(name), value};
-    auto* line = group != nullptr ? new QTreeWidgetItem(group, cells) : new QTreeWidgetItem(quantities_, cells);
+    const QStringList cells{catalogue::words_of_quantity(name), {}};
+    auto* line = group != nullptr ? new QTreeWidgetItem(group, cells) : new QTreeWidgetItem(cells);
+    if (group == nullptr) top << line;
     line->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-    const QString whole = QString::fromStdString(base::number_text(quantity.value));
     line->setToolTip(0, name);
-    line->setToolTip(1, whole);
-    line->setData(0, copied_role, QStringList{name, whole, QString::fromStdString(quantity.unit)}.join('\t').trimmed());
+    lines_.push_back(line);
   }
+  quantities_->addTopLevelItems(top);
+  for (QTreeWidgetItem* item : std::as_const(top)) item->setFirstColumnSpanned(item->childCount() > 0);
   quantities_->expandAll();
+}
+
+void Results::show_remarks(const documents::Outcome& outcome) {
   QString list;
   for (const scenario::Verdict& verdict : outcome.verdicts) {
     if (verdict.met)
@@ -130,11 +161,13 @@ void Results::show_outcome(const documents::Outcome& outcome) {
     list += list_item(theme::remark_text(palette()), QString::fromUtf8("•"),
                       catalogue::translated(QString::fromStdString(remark)));
   if (list.isEmpty()) list = "<i>" + text("No remarks.") + "</i>";
-  remarks_->setText(list);
+  if (remarks_->text() != list) remarks_->setText(list);
 }
 
 void Results::clear() {
   quantities_->clear();
+  lines_.clear();
+  names_.clear();
   remarks_->clear();
 }
 

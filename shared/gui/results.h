@@ -8,6 +8,7 @@
 
 class QLabel;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace dobra::gui {
 
@@ -21,8 +22,14 @@ class Results : public QWidget {
   void clear();
 
  private:
+  void show_quantities(const std::vector<scenario::Quantity>& quantities);
+  void list_names(const std::vector<scenario::Quantity>& quantities);
+  void show_remarks(const documents::Outcome& outcome);
+
   QTreeWidget* quantities_;
   QLabel* remarks_;
+  std::vector<std::string> names_;       ///< Of the quantities that are listed, and
+  std::vector<QTreeWidgetItem*> lines_;  ///< their lines.
 };
 
 /// A number as a reader wants it: six significant digits.

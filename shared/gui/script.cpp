@@ -4,9 +4,11 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -38,7 +40,7 @@ const std::map<std::string, std::size_t>& commands() {
       {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
       {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
       {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
-      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"action", 2}};
+      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"states", 6},      {"action", 2}};
   return all;
 }
 
@@ -95,10 +97,13 @@ Script::Script(std::vector<Line> lines, std::filesystem::path file, MainWindow& 
   beat_.start(beat_milliseconds);
 }
 
+Script::~Script() = default;
+
 void Script::step() {
   if (next_ == lines_.size()) return;
   const Line& line = lines_[next_];
-  if (!keys_.empty() || (line.words[0] == "wait" && window_.session().busy())) {
+  const bool shown = !window_.session().busy() && window_.view().is_settled();
+  if (!keys_.empty() || gesture_ || (line.words[0] == "wait" && !shown)) {
     QTimer::singleShot(between_commands, this, &Script::step);
     return;
   }
@@ -146,7 +151,9 @@ Result<void> Script::execute(const Line& line) {
   } else if (command == "longest-gap") {
     return io::write_file(line.rest, std::to_string(std::exchange(longest_gap_, 0)) + "\n");
   } else if (command == "frames") {
-    return io::write_file(line.rest, QString::number(frames_a_second(), 'f', 1).toStdString() + "\n");
+    return count_frames(line.rest);
+  } else if (command == "states") {
+    return count_states(line);
   } else if (command == "hide" || command == "show") {
     if (!window_.layers().set_layer_visible(line.rest, command == "show")) {
       return failure(text("no layer '%1'").arg(QString::fromStdString(line.rest)));
@@ -246,18 +253,94 @@ Result<void> Script::zoom(const Line& line) {
   return {};
 }
 
-double Script::frames_a_second() {
-  VtkWidget& view = window_.view();
-  if (view.panel_count() == 0) return 0.0;
-  const QPointF middle = view.plot(0).center();
+/// A mouse that moves to and fro for two seconds, button held, 120 times a second. As a window system does, it sends
+/// the latest place only, once the one before has been answered.
+struct Script::Gesture {
+  QPointF from;
+  QPointF to;
+  Qt::MouseButton button = Qt::NoButton;
+  std::filesystem::path file;                    ///< Where the answer goes: how many a second.
+  std::function<std::size_t()> count = nullptr;  ///< Of what.
+  std::size_t before = 0;
   QElapsedTimer clock;
-  clock.start();
-  constexpr int frames = 40;
-  for (int i = 0; i < frames; ++i) {
-    view.pan(middle, {i < frames / 2 ? 3.0 : -3.0, 0.0});
-    view.repaint();
+  QTimer beat;
+  bool answered = true;
+};
+
+void Script::begin(std::unique_ptr<Gesture> gesture) {
+  gesture_ = std::move(gesture);
+  post_mouse(QEvent::MouseMove, gesture_->from, Qt::NoButton, Qt::NoButton);
+  post_mouse(QEvent::MouseButtonPress, gesture_->from, gesture_->button, gesture_->button);
+  gesture_->before = gesture_->count();
+  gesture_->clock.start();
+  gesture_->beat.setTimerType(Qt::PreciseTimer);
+  connect(&gesture_->beat, &QTimer::timeout, this, &Script::move_on);
+  gesture_->beat.start(8);
+}
+
+void Script::move_on() {
+  constexpr qint64 duration = 2000;  // milliseconds
+  Gesture& gesture = *gesture_;
+  const double turns = static_cast<double>(gesture.clock.elapsed()) / 1000.0;
+  const double part = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * turns);
+  const QPointF at = gesture.from + part * (gesture.to - gesture.from);
+  if (gesture.clock.elapsed() < duration) {
+    if (!std::exchange(gesture.answered, false)) return;
+    post_mouse(QEvent::MouseMove, at, Qt::NoButton, gesture.button);
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          if (gesture_) gesture_->answered = true;
+        },
+        Qt::QueuedConnection);
+    return;
   }
-  return 1000.0 * frames / static_cast<double>(std::max<qint64>(clock.elapsed(), 1));
+  gesture.beat.stop();
+  const double seconds = static_cast<double>(gesture.clock.elapsed()) / 1000.0;
+  const double rate = static_cast<double>(gesture.count() - gesture.before) / seconds;
+  post_mouse(QEvent::MouseButtonRelease, at, gesture.button, Qt::NoButton);
+  const Result<void> written = io::write_file(gesture.file, QString::number(rate, 'f', 1).toStdString() + "\n");
+  if (!written) std::fprintf(stderr, "%s\n", base::to_string(written.error()).c_str());
+  QMetaObject::invokeMethod(
+      this, [this] { gesture_.reset(); }, Qt::QueuedConnection);
+}
+
+Result<void> Script::count_frames(const std::filesystem::path& file) {
+  VtkWidget& view = window_.view();
+  if (!view.is_ready() || view.panel_count() == 0) return failure(text("there is no picture to point at"));
+  auto gesture = std::make_unique<Gesture>();
+  gesture->from = view.plot(0).center();
+  gesture->to = gesture->from + QPointF(120.0, 20.0);
+  gesture->button = Qt::MiddleButton;
+  gesture->file = file;
+  gesture->count = [&view] { return view.meter().frames(); };
+  begin(std::move(gesture));
+  return {};
+}
+
+Result<void> Script::count_states(const Line& line) {
+  std::vector<double> at;
+  for (std::size_t i = 1; i < 5; ++i) {
+    const std::optional<double> number = base::parse_number(line.words[i]);
+    if (!number) return failure(text("'%1' is not a number").arg(QString::fromStdString(line.words[i])));
+    at.push_back(*number);
+  }
+  VtkWidget& view = window_.view();
+  if (!view.is_ready() || view.panel_count() == 0) return failure(text("there is no picture to point at"));
+  auto gesture = std::make_unique<Gesture>();
+  gesture->from = view.pixel_of(0, {at[0], at[1]});
+  gesture->to = view.pixel_of(0, {at[2], at[3]});
+  gesture->button = Qt::LeftButton;
+  gesture->file = line.words[5];
+  gesture->count = [&view] { return view.meter().states(); };
+  begin(std::move(gesture));
+  return {};
+}
+
+void Script::post_mouse(QEvent::Type type, QPointF pixel, Qt::MouseButton button, Qt::MouseButtons held) {
+  // Posted, as those of a person are: a question that one of them opens does not keep the script waiting.
+  VtkWidget& view = window_.view();
+  QCoreApplication::postEvent(&view, new QMouseEvent(type, pixel, view.mapToGlobal(pixel), button, held, {}));
 }
 
 Result<void> Script::mouse(const Line& line) {
@@ -269,21 +352,17 @@ Result<void> Script::mouse(const Line& line) {
   }
   VtkWidget& view = window_.view();
   if (!view.is_ready() || view.panel_count() == 0) return failure(text("there is no picture to point at"));
-  // Posted, as those of a person are: a question that one of them opens does not keep the script waiting.
-  const auto post = [&view](QEvent::Type type, QPointF pixel, Qt::MouseButton button, Qt::MouseButtons held) {
-    QCoreApplication::postEvent(&view, new QMouseEvent(type, pixel, view.mapToGlobal(pixel), button, held, {}));
-  };
   const QPointF from = view.pixel_of(0, {at[0], at[1]});
-  post(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
+  post_mouse(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
   if (line.words[0] == "point") return {};
-  post(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+  post_mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
   QPointF to = from;
   if (at.size() > 3) {
     to = view.pixel_of(0, {at[2], at[3]});
     for (const double part : {0.25, 0.5, 0.75, 1.0})
-      post(QEvent::MouseMove, from + part * (to - from), Qt::NoButton, Qt::LeftButton);
+      post_mouse(QEvent::MouseMove, from + part * (to - from), Qt::NoButton, Qt::LeftButton);
   }
-  post(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+  post_mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
   return {};
 }
 

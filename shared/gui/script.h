@@ -20,9 +20,11 @@
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
 
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,7 @@ class Script : public QObject {
 
   /// Starts as soon as the event loop runs.
   Script(std::vector<Line> lines, std::filesystem::path file, MainWindow& window);
+  ~Script() override;
 
  signals:
   /// After quit. A command that failed has written one line to standard error; `exit_code` is then 1.
@@ -63,7 +66,14 @@ class Script : public QObject {
   void press_keys(const QString& typed);
   void press_next_key();
   base::Result<void> watch(const Line& line);
-  double frames_a_second();
+  struct Gesture;
+  void begin(std::unique_ptr<Gesture> gesture);
+  void move_on();
+  /// How many frames a second are shown while the picture is panned.
+  base::Result<void> count_frames(const std::filesystem::path& file);
+  /// How many states of the document a second are shown while a point is dragged.
+  base::Result<void> count_states(const Line& line);
+  void post_mouse(QEvent::Type type, QPointF pixel, Qt::MouseButton button, Qt::MouseButtons held);
   base::Result<void> write_report(const std::filesystem::path& file);
 
   std::vector<Line> lines_;
@@ -74,6 +84,7 @@ class Script : public QObject {
   QTimer beat_;                                ///< Tells how long nothing else could be heard.
   QElapsedTimer since_beat_;
   qint64 longest_gap_ = 0;
+  std::unique_ptr<Gesture> gesture_;  ///< Until it has ended.
 };
 
 }  // namespace dobra::gui

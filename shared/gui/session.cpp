@@ -1,6 +1,7 @@
 #include "shared/gui/session.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "shared/base/text.h"
 #include "shared/gui/documents/edit.h"
@@ -149,6 +150,13 @@ void Session::recover() {
 }
 
 void Session::go_on() {
+  const auto begin = std::chrono::steady_clock::now();
+  follow_edit();
+  const auto took = std::chrono::steady_clock::now() - begin;
+  last_edit_milliseconds_ = std::chrono::duration<double, std::milli>(took).count();
+}
+
+void Session::follow_edit() {
   keep_journal();
   const bool blank = documents::is_blank(document(), program_);
   if (blank) outcome_ = nullptr;

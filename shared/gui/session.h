@@ -25,6 +25,8 @@ class Session : public QObject {
   [[nodiscard]] const documents::History& history() const { return history_; }
   /// Of the last run that came to an end; null before.
   [[nodiscard]] const documents::OutcomePtr& outcome() const { return outcome_; }
+  /// What the last edit took of the window's thread, with all that heard of it.
+  [[nodiscard]] double last_edit_milliseconds() const { return last_edit_milliseconds_; }
   /// A run is under way or about to start.
   [[nodiscard]] bool busy() const { return pause_.isActive() || worker_.busy(); }
 
@@ -75,6 +77,7 @@ class Session : public QObject {
   /// The journal holds what the file does not.
   void keep_journal();
   void go_on();
+  void follow_edit();
   void finish(const documents::OutcomePtr& outcome);
   [[nodiscard]] base::Result<void> check_lines_file(const scenario::Document& target) const;
   /// What the document's files hold now is what the window knows of.
@@ -86,6 +89,7 @@ class Session : public QObject {
   QTimer pause_;
   documents::OutcomePtr outcome_;
   documents::Journal journal_;
+  double last_edit_milliseconds_ = 0.0;
   /// The document's file and its file of lines, and their bytes when they were last read or written.
   std::vector<std::pair<std::filesystem::path, std::optional<std::string>>> known_;
 };

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "shared/base/check.h"
 #include "shared/gui/parameter_form.h"
@@ -58,20 +59,57 @@ void TablesEditor::show_tables(const std::vector<Table>& tables) {
     items_.back().header->setChecked(!first_time || tables.size() <= opened_at_first);
   }
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    items_[i].form->set_table(tables[i]);
+    items_[i].table = tables[i];
+    if (items_[i].form != nullptr) items_[i].form->set_table(tables[i]);
     retitle(i);
   }
 }
 
 void TablesEditor::canvas_answers() {
   canvas_answers_ = true;
-  for (const Item& item : items_) item.form->canvas_answers();
+  for (TableForm* form : made_forms()) form->canvas_answers();
+}
+
+std::vector<TableForm*> TablesEditor::made_forms() const {
+  std::vector<TableForm*> forms;
+  for (const Item& item : items_) {
+    if (item.form != nullptr) forms.push_back(item.form);
+  }
+  return forms;
 }
 
 TableForm& TablesEditor::open(std::size_t index) {
   DOBRA_CHECK(index < items_.size());
   items_[index].header->setChecked(true);
-  return *items_[index].form;
+  return form(index);
+}
+
+TableForm& TablesEditor::form(std::size_t index) {
+  DOBRA_CHECK(index < items_.size());
+  Item& item = items_[index];
+  if (item.form != nullptr) return *item.form;
+  auto* form = new TableForm(field_.fields, folder_, item.frame);
+  item.form = form;
+  form->set_table(item.table);
+  form->setVisible(item.header->isChecked());
+  if (canvas_answers_) form->canvas_answers();
+  item.frame->layout()->addWidget(form);
+  connect(form, &TableForm::wants_to_be_seen, this, &TablesEditor::wants_to_be_seen);
+  connect(form, &TableForm::pointing_asked, this, &TablesEditor::pointing_asked);
+  connect(form, &TableForm::edited, this, [this, frame = item.frame](const Table& table, const QString& key) {
+    const std::size_t i = position_of(frame);
+    items_[i].table = table;
+    retitle(i);
+    emit entered(tables(), QString::number(i + 1) + "." + key);
+  });
+  emit form_made(form);
+  return *form;
+}
+
+std::size_t TablesEditor::position_of(const QWidget* frame) const {
+  const auto found = std::find_if(items_.begin(), items_.end(), [&](const Item& item) { return item.frame == frame; });
+  DOBRA_CHECK(found != items_.end());
+  return static_cast<std::size_t>(found - items_.begin());
 }
 
 void TablesEditor::add_item() {
@@ -94,32 +132,15 @@ void TablesEditor::add_item() {
   auto* top = new QHBoxLayout;
   top->addWidget(header, 1);
   top->addWidget(remove);
-  auto* form = new TableForm(field_.fields, folder_, frame);
-  form->set_table({});
-  form->hide();
-  if (canvas_answers_) form->canvas_answers();
   column->addLayout(top);
-  column->addWidget(form);
   list_->addWidget(frame);
-  items_.push_back({frame, header, form});
-
-  const auto position = [this, form] {
-    std::size_t i = 0;
-    while (i < items_.size() && items_[i].form != form) ++i;
-    return i;
-  };
-  connect(header, &QToolButton::toggled, this, [header, form](bool open) {
+  items_.push_back({frame, header, {}, nullptr});
+  connect(header, &QToolButton::toggled, this, [this, header, frame](bool open) {
     header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
-    form->setVisible(open);
+    const std::size_t i = position_of(frame);
+    if (open || items_[i].form != nullptr) form(i).setVisible(open);
   });
-  connect(remove, &QToolButton::clicked, this, [this, position] { remove_item(position()); });
-  connect(form, &TableForm::wants_to_be_seen, this, &TablesEditor::wants_to_be_seen);
-  connect(form, &TableForm::pointing_asked, this, &TablesEditor::pointing_asked);
-  connect(form, &TableForm::edited, this, [this, position](const Table&, const QString& key) {
-    const std::size_t i = position();
-    retitle(i);
-    emit entered(tables(), QString::number(i + 1) + "." + key);
-  });
+  connect(remove, &QToolButton::clicked, this, [this, frame] { remove_item(position_of(frame)); });
 }
 
 void TablesEditor::remove_item(std::size_t index) {
@@ -130,16 +151,17 @@ void TablesEditor::remove_item(std::size_t index) {
 }
 
 void TablesEditor::retitle(std::size_t index) {
-  const QString name = name_of(items_[index].form->table());
+  const QString name = name_of(items_[index].table);
   const QString number = QString::number(index + 1);
   const QString title = name.isEmpty() ? number : number + QString::fromUtf8(" · ") + name;
+  if (items_[index].header->text() == title) return;
   items_[index].header->setText(title);
   items_[index].header->setAccessibleName(text(field_.options.title) + " " + title);
 }
 
 std::vector<Table> TablesEditor::tables() const {
   std::vector<Table> all;
-  for (const Item& item : items_) all.push_back(item.form->table());
+  for (const Item& item : items_) all.push_back(item.table);
   return all;
 }
 

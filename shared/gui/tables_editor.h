@@ -24,13 +24,20 @@ class TablesEditor : public QWidget {
 
   void show_tables(const std::vector<scenario::Table>& tables);
   [[nodiscard]] std::size_t count() const { return items_.size(); }
+  /// @pre index < count()
+  [[nodiscard]] const scenario::Table& table(std::size_t index) const { return items_[index].table; }
   /// The form of table `index`, opened. @pre index < count()
   TableForm& open(std::size_t index);
-  [[nodiscard]] TableForm& form(std::size_t index) const { return *items_[index].form; }
+  /// The form of table `index`, made if it was not yet. @pre index < count()
+  TableForm& form(std::size_t index);
+  /// The forms that are made: those of tables that have been open.
+  [[nodiscard]] std::vector<TableForm*> made_forms() const;
   /// As of TableForm, of all forms here.
   void canvas_answers();
 
  signals:
+  /// A form has just been made.
+  void form_made(TableForm* form);
   /// @param key  what changed: "2.name", or "" when a table was added or removed.
   void entered(const std::vector<dobra::scenario::Table>& tables, const QString& key);
   void wants_to_be_seen(QWidget* widget);
@@ -40,9 +47,11 @@ class TablesEditor : public QWidget {
   struct Item {
     QWidget* frame = nullptr;
     QToolButton* header = nullptr;
-    TableForm* form = nullptr;
+    scenario::Table table;
+    TableForm* form = nullptr;  ///< None before the table is opened.
   };
   void add_item();
+  [[nodiscard]] std::size_t position_of(const QWidget* frame) const;
   void remove_item(std::size_t index);
   void retitle(std::size_t index);
   [[nodiscard]] std::vector<scenario::Table> tables() const;

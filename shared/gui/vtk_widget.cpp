@@ -32,6 +32,7 @@ constexpr int at_rest = 200;             ///< Milliseconds after the last moveme
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
 constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
+constexpr double slow_frame = 25.0;  ///< Milliseconds: where the layers take more, the view moves their last frame.
 const scene::Color marker_color{0xd0, 0x10, 0x10};
 
 /// The panel with its extent fixed to that of all its layers: hiding one does not move the others.
@@ -112,6 +113,16 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(at_rest);
   connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
+  connect(&bench_, &frames::Bench::arrived, this, [this] {
+    if (!scene_) return;
+    makeCurrent();
+    scene_->scene.arrive();
+    doneCurrent();
+    frame_is_true_ = false;
+    update();
+  });
+  new frames::MeterLabel(meter_, this);
+  connect(this, &QOpenGLWidget::frameSwapped, &meter_, &frames::Meter::count_frame);
 }
 
 VtkWidget::~VtkWidget() {
@@ -123,6 +134,7 @@ VtkWidget::~VtkWidget() {
 void VtkWidget::release() {
   if (!scene_) return;
   makeCurrent();
+  bench_.clear();
   scene_.reset();
   doneCurrent();
 }
@@ -130,6 +142,7 @@ void VtkWidget::release() {
 void VtkWidget::initializeGL() {
   scene_ = std::make_unique<Scene>(*this);
   scene_->scene.set_ground(colors().ground);
+  scene_->scene.make_later([this](render::VtkScene::Work work) { bench_.post(std::move(work)); });
   // The context may go and come again (another top-level window); what is on the card goes with it.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release, Qt::UniqueConnection);
   show_picture();
@@ -154,8 +167,15 @@ void VtkWidget::paintGL() {
   window.OpenGLInitState();
   window.SetIsCurrent(true);
   window.SetFrameBlitModeToBlitToCurrent();
+  const auto begin = frames::Meter::Clock::now();
   window.Render();
   window.PopState();
+  if (!scene_->scene.holds_frame()) {
+    context()->functions()->glFinish();  // what the layers cost is known once they are drawn
+    full_frame_ms_ = frames::Meter::milliseconds_since(begin);
+    frame_is_true_ = !scene_->scene.is_waiting();
+  }
+  meter_.add(frames::Part::Draw, frames::Meter::milliseconds_since(begin));
   // Opaque, or the desktop shows through where VTK left transparency behind.
   QOpenGLFunctions* gl = context()->functions();
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
@@ -205,6 +225,7 @@ void VtkWidget::set_canvas(theme::Canvas canvas) {
 
 void VtkWidget::show_picture() {
   if (!scene_) return;
+  const auto begin = frames::Meter::Clock::now();
   makeCurrent();
   hurry();
   scene_->scene.set_picture(picture_);
@@ -212,6 +233,8 @@ void VtkWidget::show_picture() {
   scene_->scene.set_options(view::with(settings_, scene_->scene.options()));
   relayout();
   doneCurrent();
+  frame_is_true_ = false;
+  meter_.add(frames::Part::Actors, frames::Meter::milliseconds_since(begin));
   fill_canvas();
   show_marker();
 }
@@ -243,6 +266,7 @@ void VtkWidget::fill_canvas() {
   scene_->scene.set_picture(picture_);
   scene_->scene.set_views(views_);
   doneCurrent();
+  frame_is_true_ = false;
   emit exaggerated(filling_);
   show_marker();
 }
@@ -312,6 +336,7 @@ void VtkWidget::set_layer_visible(const std::string& panel_key, const std::strin
   makeCurrent();
   scene_->scene.set_layer_visible(panel_key, layer_key, visible);
   doneCurrent();
+  frame_is_true_ = false;
   update();
 }
 
@@ -432,13 +457,19 @@ void VtkWidget::hurry() {
 
 void VtkWidget::come_to_rest() {
   rest_.stop();
-  if (scene_) scene_->window->SetMultiSamples(render::samples_a_pixel);
+  if (scene_) {
+    scene_->window->SetMultiSamples(render::samples_a_pixel);
+    makeCurrent();
+    scene_->scene.let_go();
+    doneCurrent();
+  }
   update();
 }
 
 void VtkWidget::move_views() {
   makeCurrent();
   hurry();
+  if (full_frame_ms_ > slow_frame && frame_is_true_) scene_->scene.hold_frame();
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
@@ -485,6 +516,8 @@ void VtkWidget::hold() {
   const std::vector<scene::View> views = scene_->scene.views();
   for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
 }
+
+bool VtkWidget::is_settled() const { return !scene_ || (!scene_->scene.is_waiting() && bench_.is_idle()); }
 
 QRectF VtkWidget::plot(std::size_t panel) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());

@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "shared/gui/frames/bench.h"
+#include "shared/gui/frames/meter.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/view/history.h"
 #include "shared/gui/view/settings.h"
@@ -78,6 +80,10 @@ class VtkWidget : public QOpenGLWidget {
   void hold();
   /// Whether it can be drawn, so that places have pixels.
   [[nodiscard]] bool is_ready() const { return scene_ != nullptr; }
+  /// All of the picture is shown as it is, in all its detail.
+  [[nodiscard]] bool is_settled() const;
+  /// Where the time of the frames goes.
+  [[nodiscard]] frames::Meter& meter() { return meter_; }
   /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()
   [[nodiscard]] QRectF plot(std::size_t panel) const;
   [[nodiscard]] double exaggeration(std::size_t panel) const { return picture_.panels[panel].vertical_exaggeration; }
@@ -152,7 +158,11 @@ class VtkWidget : public QOpenGLWidget {
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
-  QTimer rest_;  ///< As long as it runs the view moves, and is drawn without smoothing.
+  frames::Bench bench_;  ///< Makes what is drawn of many points.
+  frames::Meter meter_;
+  double full_frame_ms_ = 0.0;  ///< What the last frame cost that showed the layers.
+  bool frame_is_true_ = false;  ///< What was drawn last is the picture as it is now.
+  QTimer rest_;                 ///< As long as it runs the view moves, and is drawn without smoothing.
   enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
   bool hand_tool_ = false;                             ///< It pans all the time.
   QCursor tool_cursor_ = Qt::CrossCursor;

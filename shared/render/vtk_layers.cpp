@@ -12,14 +12,17 @@
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 #include <vtkTexture.h>
-#include <vtkTypeInt64Array.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
+#include <optional>
 
-#include "shared/geom/simplify.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/detail.h"
 #include "shared/scene/fill.h"
 #include "shared/scene/pattern.h"
 
@@ -33,41 +36,75 @@ constexpr int color_levels = 64;  // as in the files, so that both look alike
 /// Details of a line smaller than this cannot be seen.
 constexpr double seen_pixels = 0.1;
 
-/// Cells given by where each ends in a list of point numbers.
-struct Cells {
-  vtkNew<vtkTypeInt64Array> offsets;
-  vtkNew<vtkTypeInt64Array> points;
-  Cells() { offsets->InsertNextValue(0); }
-  void add(vtkIdType point) { points->InsertNextValue(point); }
-  void end() { offsets->InsertNextValue(points->GetNumberOfValues()); }
-  [[nodiscard]] vtkSmartPointer<vtkCellArray> array() {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(offsets, points);
-    return cells;
+/// A list of points and cells of them, in the single precision that the graphics card keeps.
+class Geometry {
+ public:
+  Geometry(Point origin, double depth) : origin_(origin), depth_(static_cast<float>(depth)) {
+    points_->SetNumberOfComponents(3);
+    offsets_->InsertNextValue(0);
   }
+
+  /// @pre nothing has been added: it empties the lists
+  void reserve(std::size_t points, std::size_t corners, std::size_t cells) {
+    points_->Allocate(static_cast<vtkIdType>(3 * points));
+    corners_->Allocate(static_cast<vtkIdType>(corners));
+    offsets_->Allocate(static_cast<vtkIdType>(cells + 1));
+    offsets_->InsertNextValue(0);
+  }
+  std::int32_t add_point(Point p) {
+    const float at[3] = {static_cast<float>(p.x - origin_.x), static_cast<float>(p.y - origin_.y), depth_};
+    return static_cast<std::int32_t>(points_->InsertNextTypedTuple(at));
+  }
+  void add_corner(std::int32_t point) { corners_->InsertNextValue(point); }
+  void end_cell() { offsets_->InsertNextValue(static_cast<std::int32_t>(corners_->GetNumberOfValues())); }
+
+  enum class As { Points, Lines, Polygons };
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> data(As as) const {
+    auto made = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetData(points_);
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(offsets_, corners_);
+    made->SetPoints(points);
+    if (as == As::Points) made->SetVerts(cells);
+    if (as == As::Lines) made->SetLines(cells);
+    if (as == As::Polygons) made->SetPolys(cells);
+    return made;
+  }
+
+ private:
+  Point origin_;
+  float depth_;
+  vtkNew<vtkFloatArray> points_;
+  vtkNew<vtkTypeInt32Array> offsets_;
+  vtkNew<vtkTypeInt32Array> corners_;
 };
 
-/// Makes strokes given in page coordinates the lines of `data`.
-void show_strokes(const std::vector<geom::Segment>& strokes, const scene::Transform& transform, Point origin,
-                  double depth, vtkPolyData& data) {
-  vtkNew<vtkPoints> points;
-  Cells cells;
+/// Where geometry is to lie.
+struct Ground {
+  Point origin;
+  double depth;
+  [[nodiscard]] Geometry operator()() const { return {origin, depth}; }
+};
+
+using Made = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+/// Strokes given in page coordinates.
+vtkSmartPointer<vtkPolyData> strokes_data(const std::vector<geom::Segment>& strokes, const scene::Transform& transform,
+                                          Geometry& geometry) {
   for (const geom::Segment& stroke : strokes) {
-    for (const Point& end : {stroke.from, stroke.to}) {
-      const Point world = transform.to_world(end);
-      cells.add(points->InsertNextPoint(world.x - origin.x, world.y - origin.y, depth));
-    }
-    cells.end();
+    for (const Point& end : {stroke.from, stroke.to}) geometry.add_corner(geometry.add_point(transform.to_world(end)));
+    geometry.end_cell();
   }
-  data.SetPoints(points);
-  data.SetLines(cells.array());
-  data.Modified();
+  return geometry.data(Geometry::As::Lines);
 }
 
 class ActorMaker {
  public:
   ActorMaker(const scene::Layer& layer, Point origin, double depth, const scene::Ground& ground)
-      : layer_(layer), style_(scene::style_on(layer, ground)), origin_(origin), depth_(depth) {}
+      : layer_(layer), style_(scene::style_on(layer, ground)), origin_(origin), depth_(depth) {
+    made_.points = scene::point_count(layer);
+  }
 
   LayerActors make() && {
     std::visit(*this, layer_.content);
@@ -75,76 +112,82 @@ class ActorMaker {
   }
 
   void operator()(const scene::Lines& content) {
+    if (style_.line_width <= 0.0) return;
     if (style_.dash == scene::Dash::Solid) {
-      add_solid(content.lines);
+      add_solid([lines = content.lines](const scene::Sight& sight) { return scene::seen_lines(lines, sight); });
     } else {
       add_dashed(content.lines);
     }
   }
 
   void operator()(const scene::Markers& content) {
-    vtkNew<vtkPoints> points;
-    Cells cells;
-    for (const Point& p : content.points) {
-      cells.add(insert(*points, p, depth_));
-      cells.end();
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetVerts(cells.array());
-    vtkActor& actor = add(data, style_.line);
+    vtkActor& actor = add(style_.line);
     make_round(actor);
     const double size = style_.marker_size;
     made_.on_view.emplace_back([&actor, size](const scene::PanelLayout&, double pixels_per_point) {
       actor.GetProperty()->SetPointSize(static_cast<float>(size * pixels_per_point));
     });
+    add_shape(Shape::Follows::Nothing, {&actor}, [points = content.points, geometry = place()](const Look&) {
+      Geometry marks = geometry();
+      for (const Point& p : points) {
+        marks.add_corner(marks.add_point(p));
+        marks.end_cell();
+      }
+      return Made{marks.data(Geometry::As::Points)};
+    });
   }
 
   void operator()(const scene::Regions& content) {
+    const auto seen = std::make_shared<SeenRegions>(content.regions);
     if (style_.fill) {
-      vtkNew<vtkPoints> points;
-      Cells cells;
-      for (std::size_t i = 0; content.triangles && i < content.triangles->size(); ++i) {
-        cells.add(insert(*points, (*content.triangles)[i], depth_));
-        if (i % 3 == 2) cells.end();
-      }
-      vtkNew<vtkPolyData> data;
-      data->SetPoints(points);
-      data->SetPolys(cells.array());
-      add(data, *style_.fill);
-      add_pattern(content.regions);
+      vtkActor& areas = add(*style_.fill);
+      add_shape(Shape::Follows::Detail, {&areas}, [seen, geometry = place()](const Look& look) {
+        Geometry filled = geometry();
+        const auto regions = seen->under(look.sight());
+        for (const scene::Region& region : *regions) {
+          const std::vector<Point> triangles = scene::triangles_of(region);
+          for (std::size_t i = 0; i < triangles.size(); ++i) {
+            filled.add_corner(filled.add_point(triangles[i]));
+            if (i % 3 == 2) filled.end_cell();
+          }
+        }
+        return Made{filled.data(Geometry::As::Polygons)};
+      });
+      add_pattern(seen);
     }
-    std::vector<geom::Polyline> outlines;
-    for (const scene::Region& region : content.regions) {
-      for (geom::Polyline contour : region.contours) {
-        contour.closed = true;
-        outlines.push_back(std::move(contour));
-      }
-    }
+    if (style_.line_width <= 0.0) return;
     depth_ += 0.25;
-    add_solid(outlines);
+    add_solid([regions = content.regions](const scene::Sight& sight) {
+      std::vector<geom::Polyline> seen_contours;
+      for (const scene::Region& region : regions) {
+        std::vector<geom::Polyline> contours = region.contours;
+        for (geom::Polyline& contour : contours) contour.closed = true;
+        for (geom::Polyline& line : scene::seen_lines(contours, sight)) seen_contours.push_back(std::move(line));
+      }
+      return seen_contours;
+    });
   }
 
   void operator()(const scene::Mesh& content) {
-    vtkNew<vtkPoints> points;
-    for (const Point& p : content.points) insert(*points, p, depth_);
-    if (content.values_at != scene::ValuesAt::None || style_.fill) add_faces(content, points);
+    if (content.values_at != scene::ValuesAt::None || style_.fill) add_faces(content);
     if (style_.line_width <= 0.0) return;
-    vtkNew<vtkPoints> raised;
-    for (const Point& p : content.points) insert(*raised, p, depth_ + 0.25);
-    Cells cells;
-    for (const std::vector<std::uint32_t>& chain : scene::edge_chains(content)) {
-      for (const std::uint32_t i : chain) cells.add(i);
-      cells.end();
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(raised);
-    data->SetLines(cells.array());
-    vtkActor& actor = add(data, style_.line);
-    const double mean = scene::mean_edge_length(content);
+    vtkActor& actor = add(style_.line);
+    const auto mean = std::make_shared<std::atomic<double>>(0.0);
+    depth_ += 0.25;
+    add_shape(Shape::Follows::Nothing, {&actor}, [content, mean, geometry = place()](const Look&) {
+      *mean = scene::mean_edge_length(content);
+      Geometry edges = geometry();
+      edges.reserve(content.points.size(), 2 * content.triangles.size(), content.triangles.size());
+      for (const Point& p : content.points) edges.add_point(p);
+      for (const std::vector<std::uint32_t>& chain : scene::edge_chains(content)) {
+        for (const std::uint32_t i : chain) edges.add_corner(static_cast<std::int32_t>(i));
+        edges.end_cell();
+      }
+      return Made{edges.data(Geometry::As::Lines)};
+    });
     made_.on_view.emplace_back(
         [&actor, mean, style = style_](const scene::PanelLayout& place, double pixels_per_point) {
-          set_width(actor, style, scene::edge_width(mean, style, place.transform.points_per_x) * pixels_per_point);
+          set_width(actor, style, scene::edge_width(*mean, style, place.transform.points_per_x) * pixels_per_point);
         });
   }
 
@@ -162,37 +205,44 @@ class ActorMaker {
       const std::uint8_t* row = pixels.rgba.data() + 4 * pixels.width * static_cast<std::size_t>(height - 1 - y);
       std::copy(row, row + 4 * pixels.width, static_cast<std::uint8_t*>(image->GetScalarPointer(0, y, 0)));
     }
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> places;
-    places->SetNumberOfComponents(2);
-    Cells cells;
-    const geom::Box& box = content.box;
-    for (const Point at : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) {
-      cells.add(insert(*points, {at.x > 0.5 ? box.high.x : box.low.x, at.y > 0.5 ? box.high.y : box.low.y}, depth_));
-      places->InsertNextTuple2(at.x, at.y);
-    }
-    cells.end();
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetPolys(cells.array());
-    data->GetPointData()->SetTCoords(places);
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(image);
-    texture->InterpolateOn();
-    texture->SetColorModeToDirectScalars();
-    vtkActor& actor = add(data, Color{255, 255, 255});
-    actor.SetTexture(texture);
+    vtkActor& actor = add(Color{255, 255, 255});
+    actor.SetTexture(smooth_texture(image));
     actor.GetProperty()->SetOpacity(content.opacity);
+    add_shape(Shape::Follows::Nothing, {&actor}, [box = content.box, origin = origin_, depth = depth_](const Look&) {
+      return Made{textured_box(box, origin, depth)};
+    });
   }
 
  private:
-  vtkIdType insert(vtkPoints& points, Point p, double depth) const {
-    return points.InsertNextPoint(p.x - origin_.x, p.y - origin_.y, depth);
-  }
+  /// The regions of a layer as they are seen; the last answer is kept, for its fill and its pattern ask alike.
+  class SeenRegions {
+   public:
+    using List = std::vector<scene::Region>;
+    explicit SeenRegions(base::Shared<List> regions) : regions_(std::move(regions)) {}
+    [[nodiscard]] std::shared_ptr<const List> under(const scene::Sight& sight) {
+      const std::lock_guard lock(mutex_);
+      const bool known = seen_ && sight_.detail == sight.detail && sight_.window == sight.window;
+      if (known) return seen_;
+      auto list = std::make_shared<List>();
+      for (const scene::Region& region : regions_) list->push_back(scene::seen_region(region, sight));
+      sight_ = sight;
+      seen_ = std::move(list);
+      return seen_;
+    }
 
-  vtkActor& add(vtkPolyData* data, const Color& color) {
+   private:
+    base::Shared<List> regions_;
+    std::mutex mutex_;
+    scene::Sight sight_;
+    std::shared_ptr<const List> seen_;
+  };
+
+  [[nodiscard]] Ground place() const { return {origin_, depth_}; }
+
+  vtkActor& add(const Color& color) {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
+    vtkNew<vtkPolyData> nothing_yet;
+    mapper->SetInputData(nothing_yet);
     mapper->ScalarVisibilityOff();
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
@@ -204,40 +254,36 @@ class ActorMaker {
     return *actor;
   }
 
-  void add_faces(const scene::Mesh& content, vtkPoints* points) {
-    Cells cells;
-    for (const auto& triangle : content.triangles) {
-      for (const std::uint32_t i : triangle) cells.add(i);
-      cells.end();
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetPolys(cells.array());
-    vtkActor& actor = add(data, style_.fill.value_or(Color{255, 255, 255}));
+  void add_shape(Shape::Follows follows, std::vector<vtkSmartPointer<vtkActor>> actors,
+                 std::function<Made(const Look&)> make) {
+    made_.shapes.push_back(std::make_shared<Shape>(follows, std::move(actors), std::move(make)));
+  }
+
+  void add_faces(const scene::Mesh& content) {
+    vtkActor& actor = add(style_.fill.value_or(Color{255, 255, 255}));
+    add_shape(Shape::Follows::Nothing, {&actor}, [content, geometry = place()](const Look&) {
+      Geometry faces = geometry();
+      faces.reserve(content.points.size(), 3 * content.triangles.size(), content.triangles.size());
+      for (const Point& p : content.points) faces.add_point(p);
+      for (const auto& triangle : content.triangles) {
+        for (const std::uint32_t i : triangle) faces.add_corner(static_cast<std::int32_t>(i));
+        faces.end_cell();
+      }
+      const vtkSmartPointer<vtkPolyData> data = faces.data(Geometry::As::Polygons);
+      if (content.values_at == scene::ValuesAt::Triangles) data->GetCellData()->SetScalars(colors_of(content));
+      if (content.values_at == scene::ValuesAt::Points) data->GetPointData()->SetScalars(fractions_of(content));
+      return Made{data};
+    });
     vtkMapper& mapper = *actor.GetMapper();
     if (content.values_at == scene::ValuesAt::None) return;
     actor.GetProperty()->SetOpacity(1.0);
     mapper.ScalarVisibilityOn();
     if (content.values_at == scene::ValuesAt::Triangles) {
-      vtkNew<vtkUnsignedCharArray> colors;
-      colors->SetNumberOfComponents(3);
-      for (const double value : content.values) {
-        const Color color = scene::stepped_color(content.scale, value, color_levels);
-        const unsigned char rgb[3] = {color.red, color.green, color.blue};
-        colors->InsertNextTypedTuple(rgb);
-      }
-      data->GetCellData()->SetScalars(colors);
       mapper.SetScalarModeToUseCellData();
       mapper.SetColorModeToDirectScalars();
       return;
     }
-    vtkNew<vtkFloatArray> fractions;
     vtkNew<vtkLookupTable> table;
-    const double width = content.scale.high - content.scale.low;
-    // Not clamped: the map's ends stay flat inside a triangle that goes beyond them.
-    for (const double value : content.values) {
-      fractions->InsertNextValue(static_cast<float>(width != 0.0 ? (value - content.scale.low) / width : 0.5));
-    }
     table->SetNumberOfTableValues(color_levels);
     for (int i = 0; i < color_levels; ++i) {
       const Color c = scene::color_at(content.scale.map, (i + 0.5) / color_levels);
@@ -246,7 +292,6 @@ class ActorMaker {
     const Color none = scene::color_at(content.scale.map, std::nan(""));
     table->SetNanColor(none.red / 255.0, none.green / 255.0, none.blue / 255.0, 1.0);
     table->SetTableRange(0.0, 1.0);
-    data->GetPointData()->SetScalars(fractions);
     mapper.SetScalarModeToUsePointData();
     mapper.SetColorModeToMapScalars();
     mapper.SetLookupTable(table);
@@ -254,93 +299,110 @@ class ActorMaker {
     mapper.InterpolateScalarsBeforeMappingOn();
   }
 
-  /// Segments shorter than a pixel come out faint or not at all, so what is drawn is the line as it can be seen at the
-  /// present scale.
-  void add_solid(const std::vector<geom::Polyline>& lines) {
-    if (style_.line_width <= 0.0) return;
-    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
-    follow_width(add(data, style_.line));
-    vtkSmartPointer<vtkPolyData> joins;
+  static vtkSmartPointer<vtkDataArray> colors_of(const scene::Mesh& content) {
+    auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colors->SetNumberOfComponents(3);
+    colors->Allocate(static_cast<vtkIdType>(3 * content.values.size()));
+    for (const double value : content.values) {
+      const Color color = scene::stepped_color(content.scale, value, color_levels);
+      const unsigned char rgb[3] = {color.red, color.green, color.blue};
+      colors->InsertNextTypedTuple(rgb);
+    }
+    return colors;
+  }
+
+  /// Not clamped: the map's ends stay flat inside a triangle that goes beyond them.
+  static vtkSmartPointer<vtkDataArray> fractions_of(const scene::Mesh& content) {
+    auto fractions = vtkSmartPointer<vtkFloatArray>::New();
+    const double width = content.scale.high - content.scale.low;
+    for (const double value : content.values)
+      fractions->InsertNextValue(static_cast<float>(width != 0.0 ? (value - content.scale.low) / width : 0.5));
+    return fractions;
+  }
+
+  /// Segments shorter than a pixel come out faint or not at all, so what is drawn is the line as it can be seen.
+  void add_solid(std::function<std::vector<geom::Polyline>(const scene::Sight&)> seen) {
+    vtkActor& strokes = add(style_.line);
+    follow_width(strokes);
+    std::vector<vtkSmartPointer<vtkActor>> actors{&strokes};
     // A wide line of VTK is cut off square at every point; discs make round joins of the gaps. On a translucent line
     // they would show.
     if (style_.line_width >= 1.5 && style_.line.alpha == 255) {
-      joins = vtkSmartPointer<vtkPolyData>::New();
-      vtkActor& discs = add(joins, style_.line);
+      vtkActor& discs = add(style_.line);
       make_round(discs);
       made_.on_view.emplace_back(
           [&discs, width = style_.line_width](const scene::PanelLayout&, double pixels_per_point) {
             discs.GetProperty()->SetPointSize(static_cast<float>(width * pixels_per_point));
           });
+      actors.emplace_back(&discs);
     }
-    made_.on_view.emplace_back([data, joins, lines, origin = origin_, depth = depth_, drawn_for = 0.0](
-                                   const scene::PanelLayout& place, double pixels_per_point) mutable {
-      const double pixels_per_unit =
-          std::max(place.transform.points_per_x, place.transform.points_per_y) * pixels_per_point;
-      if (pixels_per_unit == drawn_for) return;
-      drawn_for = pixels_per_unit;
-      vtkNew<vtkPoints> points;
-      Cells cells;
-      Cells verts;
-      for (const geom::Polyline& line : lines) {
-        const auto seen = geom::simplify(line, {seen_pixels / pixels_per_unit});
-        if (!seen) continue;  // a line of one point has nothing to draw
-        const vtkIdType first = points->GetNumberOfPoints();
-        for (const Point& p : seen->points) {
-          const vtkIdType at = points->InsertNextPoint(p.x - origin.x, p.y - origin.y, depth);
-          cells.add(at);
-          verts.add(at);
-          verts.end();
-        }
-        if (line.closed) cells.add(first);
-        cells.end();
-      }
-      data->SetPoints(points);
-      data->SetLines(cells.array());
-      data->Modified();
-      if (joins == nullptr) return;
-      joins->SetPoints(points);
-      joins->SetVerts(verts.array());
-      joins->Modified();
-    });
+    const bool joined = actors.size() > 1;
+    add_shape(Shape::Follows::Detail, std::move(actors),
+              [seen = std::move(seen), joined, geometry = place()](const Look& look) {
+                Geometry lines = geometry();
+                Geometry joins = geometry();
+                for (const geom::Polyline& line : seen(look.sight())) {
+                  std::optional<std::int32_t> first;
+                  for (const Point& p : line.points) {
+                    const std::int32_t at = lines.add_point(p);
+                    if (!first) first = at;
+                    lines.add_corner(at);
+                    if (!joined) continue;
+                    joins.add_corner(joins.add_point(p));
+                    joins.end_cell();
+                  }
+                  if (line.closed && first) lines.add_corner(*first);
+                  lines.end_cell();
+                }
+                Made made{lines.data(Geometry::As::Lines)};
+                if (joined) made.push_back(joins.data(Geometry::As::Points));
+                return made;
+              });
   }
 
   /// VTK has no stipple in core OpenGL, so strokes are made for what is in sight, whenever that changes.
-  void add_dashed(const std::vector<geom::Polyline>& lines) {
-    if (style_.line_width <= 0.0) return;
-    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
-    follow_width(add(data, style_.line));
-    made_.on_view.emplace_back(
-        [data, lines, style = style_, origin = origin_, depth = depth_](const scene::PanelLayout& place, double) {
-          std::vector<geom::Segment> strokes;
-          const std::vector<double> pattern = scene::dash_lengths(style.dash, style.line_width);
-          for (const geom::Polyline& line : lines) {
-            // Dashes are measured on the page: they keep their length under zoom and exaggeration.
-            geom::Polyline on_page{{}, line.closed};
-            for (const Point& p : line.points) on_page.points.push_back(place.transform.to_page(p));
-            const auto more = scene::strokes_of(on_page, pattern, place.plot.grown(style.line_width));
-            strokes.insert(strokes.end(), more.begin(), more.end());
-          }
-          show_strokes(strokes, place.transform, origin, depth, *data);
-        });
+  void add_dashed(const base::Shared<std::vector<geom::Polyline>>& lines) {
+    vtkActor& actor = add(style_.line);
+    follow_width(actor);
+    add_shape(Shape::Follows::View, {&actor}, [lines, style = style_, geometry = place()](const Look& look) {
+      std::vector<geom::Segment> strokes;
+      const scene::Transform& transform = look.place.transform;
+      const std::vector<double> pattern = scene::dash_lengths(style.dash, style.line_width);
+      for (const geom::Polyline& line : lines) {
+        // Dashes are measured on the page: they keep their length under zoom and exaggeration.
+        geom::Polyline on_page{{}, line.closed};
+        on_page.points.reserve(line.points.size());
+        for (const Point& p : line.points) on_page.points.push_back(transform.to_page(p));
+        const auto more = scene::strokes_of(on_page, pattern, look.place.plot.grown(style.line_width));
+        strokes.insert(strokes.end(), more.begin(), more.end());
+      }
+      Geometry made = geometry();
+      return Made{strokes_data(strokes, transform, made)};
+    });
   }
 
   /// Signs stand on the page, so they are made for what is in sight, whenever that changes.
-  void add_pattern(const std::vector<scene::Region>& regions) {
+  void add_pattern(std::shared_ptr<SeenRegions> seen) {
     if (style_.pattern == scene::Pattern::None) return;
-    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
-    vtkActor& actor = add(data, scene::pattern_ink);
-    made_.on_view.emplace_back([&actor, data, regions, fill = *style_.fill, pattern = style_.pattern, origin = origin_,
-                                depth = depth_ + 0.125](const scene::PanelLayout& place, double pixels_per_point) {
-      const double pixels = scene::pattern_width(pattern) * pixels_per_point;
-      set_ink(*actor.GetProperty(), fill, scene::pattern_ink, std::min(pixels, 1.0));
-      actor.GetProperty()->SetLineWidth(static_cast<float>(std::max(pixels, 1.0)));
-      std::vector<geom::Segment> strokes;
-      for (const scene::Region& region : regions) {
-        const auto more = pattern_over(region, pattern, place);
-        strokes.insert(strokes.end(), more.begin(), more.end());
-      }
-      show_strokes(strokes, place.transform, origin, depth, *data);
-    });
+    vtkActor& actor = add(scene::pattern_ink);
+    made_.on_view.emplace_back(
+        [&actor, fill = *style_.fill, pattern = style_.pattern](const scene::PanelLayout&, double pixels_per_point) {
+          const double pixels = scene::pattern_width(pattern) * pixels_per_point;
+          set_ink(*actor.GetProperty(), fill, scene::pattern_ink, std::min(pixels, 1.0));
+          actor.GetProperty()->SetLineWidth(static_cast<float>(std::max(pixels, 1.0)));
+        });
+    const double over = depth_ + 0.125;
+    add_shape(Shape::Follows::View, {&actor},
+              [seen = std::move(seen), pattern = style_.pattern, origin = origin_, over](const Look& look) {
+                std::vector<geom::Segment> strokes;
+                const auto regions = seen->under(look.sight());
+                for (const scene::Region& region : *regions) {
+                  const auto more = pattern_over(region, pattern, look.place);
+                  strokes.insert(strokes.end(), more.begin(), more.end());
+                }
+                Geometry made(origin, over);
+                return Made{strokes_data(strokes, look.place.transform, made)};
+              });
   }
 
   /// Ink over a fill as one opaque colour: what is translucent VTK draws without smoothing, and over later layers.
@@ -400,8 +462,74 @@ class ActorMaker {
 
 }  // namespace
 
+scene::Sight Look::sight() const {
+  // Steps of two, so that what has been made serves for a while as the view comes nearer.
+  const double pixels = std::max(place.transform.points_per_x, place.transform.points_per_y) * pixels_per_point;
+  const double step = std::exp2(std::ceil(std::log2(pixels)));
+  return {seen_pixels / step, window};
+}
+
+geom::Box Look::seen() const {
+  geom::Box box;
+  for (const Point corner : {place.plot.low, place.plot.high}) box.add(place.transform.to_world(corner));
+  return box;
+}
+
+Look look_at(const scene::PanelLayout& place, double pixels_per_point, std::size_t points) {
+  constexpr std::size_t few = 5000;  // are drawn whole
+  constexpr double everything = 1e300;
+  Look look{place, pixels_per_point, {{-everything, -everything}, {everything, everything}}};
+  if (points <= few) return look;
+  const geom::Box box = look.seen();
+  look.window = {{box.low.x - box.width(), box.low.y - box.height()},
+                 {box.high.x + box.width(), box.high.y + box.height()}};
+  return look;
+}
+
+bool Look::serves(const Look& other, Follows follows) const {
+  if (follows == Follows::Nothing) return true;
+  if (follows == Follows::Detail) {
+    const geom::Box box = other.seen();
+    return sight().detail == other.sight().detail && window.contains(box.low) && window.contains(box.high);
+  }
+  const scene::Transform& a = place.transform;
+  const scene::Transform& b = other.place.transform;
+  const Point origin{};
+  return a.points_per_x == b.points_per_x && a.points_per_y == b.points_per_y &&
+         a.to_page(origin) == b.to_page(origin) && place.plot == other.place.plot &&
+         pixels_per_point == other.pixels_per_point;
+}
+
+void Shape::show(const std::vector<vtkSmartPointer<vtkPolyData>>& made, const Look& look) {
+  made_for = look;
+  for (std::size_t i = 0; i < actors.size(); ++i)
+    static_cast<vtkPolyDataMapper*>(actors[i]->GetMapper())->SetInputData(made[i]);
+}
+
 LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth, const scene::Ground& ground) {
   return ActorMaker(layer, origin, depth, ground).make();
+}
+
+vtkSmartPointer<vtkTexture> smooth_texture(vtkImageData* image) {
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->SetColorModeToDirectScalars();
+  return texture;
+}
+
+vtkSmartPointer<vtkPolyData> textured_box(const geom::Box& box, geom::Point origin, double depth) {
+  vtkNew<vtkFloatArray> places;
+  places->SetNumberOfComponents(2);
+  Geometry corners(origin, depth);
+  for (const Point at : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) {
+    corners.add_corner(corners.add_point({at.x > 0.5 ? box.high.x : box.low.x, at.y > 0.5 ? box.high.y : box.low.y}));
+    places->InsertNextTuple2(at.x, at.y);
+  }
+  corners.end_cell();
+  vtkSmartPointer<vtkPolyData> data = corners.data(Geometry::As::Polygons);
+  data->GetPointData()->SetTCoords(places);
+  return data;
 }
 
 }  // namespace dobra::render

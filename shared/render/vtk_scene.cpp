@@ -1,18 +1,24 @@
 #include "shared/render/vtk_scene.h"
 
 #include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkPropCollection.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "shared/base/check.h"
 #include "shared/render/vtk_layers.h"
 #include "shared/render/vtk_marks.h"
-#include "shared/scene/fill.h"
 
 namespace dobra::render {
 namespace {
@@ -20,6 +26,8 @@ namespace {
 constexpr int background_level = 0;
 constexpr int panel_level = 1;
 constexpr int mark_level = 2;
+/// Points whose shapes are made at once, in one arrangement: some ten milliseconds.
+constexpr std::size_t at_once = 20000;
 
 vtkSmartPointer<vtkRenderer> add_renderer(vtkRenderWindow& window, int level) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -66,6 +74,7 @@ class VtkScene::Impl {
     set_background(*front_);
     for (const Panel& panel : panels_) window_.RemoveRenderer(panel.renderer);
     panels_.clear();
+    held_ = false;
     build({});
     arrange();
   }
@@ -73,10 +82,11 @@ class VtkScene::Impl {
   void overlay(std::size_t number, const std::vector<scene::Layer>& layers) {
     DOBRA_CHECK(number < panels_.size());
     Panel& panel = panels_[number];
-    take_out(panel, panel.above);
+    for (const LayerActors& layer : panel.above) take_out(panel, layer);
+    panel.above.clear();
     double depth = static_cast<double>(panel.layers.size());
     for (const scene::Layer& layer : layers) panel.above.push_back(make_actors(layer, panel.origin, depth++, ground_));
-    put_in(panel, panel.above);
+    for (const LayerActors& layer : panel.above) put_in(panel, layer);
   }
 
   [[nodiscard]] std::vector<const vtkActor*> actors_of(std::size_t panel, std::string_view layer_key) const {
@@ -84,7 +94,7 @@ class VtkScene::Impl {
     const std::vector<scene::Layer>& layers = picture_.panels.at(panel).layers;
     for (std::size_t i = 0; i < layers.size(); ++i) {
       if (layers[i].key != layer_key) continue;
-      for (const auto& actor : panels_[panel].layers[i].actors) actors.push_back(actor);
+      for (const auto& actor : panels_[panel].layers[i].now.actors) actors.push_back(actor);
     }
     return actors;
   }
@@ -97,11 +107,59 @@ class VtkScene::Impl {
       measured_ratio_ = ratio_;
     }
     layout_ = scene::layout(picture_, page, views_, measure_, options_);
+    left_ = later_ ? at_once : std::numeric_limits<std::size_t>::max();
+    waiting_ = false;
     for (std::size_t i = 0; i < panels_.size(); ++i) aim(panels_[i], layout_.panels[i], picture_.panels[i]);
     std::vector<scene::Mark> marks = layout_.marks;
+    if (held_) std::erase_if(marks, [&](const scene::Mark& mark) { return is_in_held_frame(mark); });
     for (scene::Mark& mark : marks) mark = scene::on_ground(std::move(mark), ground_);
     marks_->show(marks, height_, ratio_);
   }
+
+  void hold_frame() {
+    if (held_ || panels_.empty() || layout_.panels.size() != panels_.size()) return;
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      Panel& panel = panels_[i];
+      if (panel.renderer->GetDraw() == 0) continue;
+      const scene::PanelLayout& place = layout_.panels[i];
+      const Pixels seen = pixels_of(place.plot);
+      vtkNew<vtkUnsignedCharArray> rgb;
+      window_.GetPixelData(seen.left, seen.bottom, seen.right - 1, seen.top - 1, 0, rgb, 0);
+      const int width = seen.right - seen.left;
+      const int height = seen.top - seen.bottom;
+      if (rgb->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height) continue;
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(width, height, 1);
+      image->GetPointData()->SetScalars(rgb);
+      const geom::Point low{seen.left / ratio_, (height_ - seen.bottom) / ratio_};
+      const geom::Point high{seen.right / ratio_, (height_ - seen.top) / ratio_};
+      geom::Box box;
+      box.add(place.transform.to_world(low));
+      box.add(place.transform.to_world(high));
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(textured_box(box, panel.origin, 0.0));
+      panel.frame = vtkSmartPointer<vtkActor>::New();
+      panel.frame->SetMapper(mapper);
+      panel.frame->SetTexture(smooth_texture(image));
+      panel.frame->GetProperty()->LightingOff();
+      panel.frame->SetScale(1.0, panel.exaggeration, 1.0);
+      panel.renderer->AddViewProp(panel.frame);
+      held_ = true;
+    }
+    if (held_) arrange();
+  }
+
+  /// @return whether there was a frame.
+  bool drop_frame() {
+    for (Panel& panel : panels_) {
+      if (panel.frame != nullptr) panel.renderer->RemoveViewProp(panel.frame);
+      panel.frame = nullptr;
+    }
+    return std::exchange(held_, false);
+  }
+
+  [[nodiscard]] bool holds_frame() const { return held_; }
+  [[nodiscard]] bool is_waiting() const { return waiting_; }
 
   vtkRenderWindow& window_;
   scene::LayoutOptions options_;
@@ -112,6 +170,7 @@ class VtkScene::Impl {
   int height_ = 0;
   double ratio_ = 1.0;
   bool released_ = false;
+  std::function<void(Work)> later_;
   scene::TextMeasure measure_;  ///< For measured_ratio_; keeps what it has measured.
   double measured_ratio_ = 0.0;
 
@@ -125,12 +184,21 @@ class VtkScene::Impl {
   }
 
  private:
+  /// A layer, with what was there before as long as its own shapes are not made.
+  struct Drawn {
+    LayerActors now;
+    std::optional<LayerActors> before;
+    [[nodiscard]] bool is_made() const {
+      return std::all_of(now.shapes.begin(), now.shapes.end(), [](const auto& shape) { return shape->made_for; });
+    }
+  };
   struct Panel {
     vtkSmartPointer<vtkRenderer> renderer;
     geom::Point origin;  ///< Taken off all coordinates.
     double exaggeration = 1.0;
-    std::vector<LayerActors> layers;
-    std::vector<LayerActors> above;  ///< The overlay.
+    std::vector<Drawn> layers;
+    std::vector<LayerActors> above;             ///< The overlay.
+    vtkSmartPointer<vtkActor> frame = nullptr;  ///< What was drawn last, while it is held.
   };
 
   void set_background(vtkRenderer& renderer) const {
@@ -138,19 +206,14 @@ class VtkScene::Impl {
     renderer.SetBackground(c.red / 255.0, c.green / 255.0, c.blue / 255.0);
   }
 
-  static void take_out(Panel& panel, std::vector<LayerActors>& layers) {
-    for (const LayerActors& layer : layers) {
-      for (const auto& actor : layer.actors) panel.renderer->RemoveViewProp(actor);
-    }
-    layers.clear();
+  static void take_out(Panel& panel, const LayerActors& layer) {
+    for (const auto& actor : layer.actors) panel.renderer->RemoveViewProp(actor);
   }
 
-  static void put_in(Panel& panel, const std::vector<LayerActors>& layers) {
-    for (const LayerActors& layer : layers) {
-      for (const auto& actor : layer.actors) {
-        actor->SetScale(1.0, panel.exaggeration, 1.0);
-        panel.renderer->AddViewProp(actor);
-      }
+  static void put_in(Panel& panel, const LayerActors& layer) {
+    for (const auto& actor : layer.actors) {
+      actor->SetScale(1.0, panel.exaggeration, 1.0);
+      panel.renderer->AddViewProp(actor);
     }
   }
 
@@ -165,22 +228,39 @@ class VtkScene::Impl {
     const bool near = before != nullptr && geom::distance(old.origin, middle) <= 10.0 * box.diagonal();
     made.origin = near ? old.origin : middle;
     made.exaggeration = panel.vertical_exaggeration;
-    take_out(old, old.above);
     for (std::size_t i = 0; i < panel.layers.size(); ++i) {
-      const bool same = near && i < before->layers.size() && draws_alike(panel.layers[i], before->layers[i]);
-      if (same)
+      const scene::Layer& layer = panel.layers[i];
+      if (near && i < before->layers.size() && draws_alike(layer, before->layers[i])) {
         made.layers.push_back(std::exchange(old.layers[i], {}));
-      else
-        made.layers.push_back(make_actors(panel.layers[i], made.origin, static_cast<double>(i), ground_));
+        continue;
+      }
+      Drawn& drawn = made.layers.emplace_back();
+      drawn.now = make_actors(layer, made.origin, static_cast<double>(i), ground_);
+      if (!near || !later_) continue;
+      const auto same_key = [&](const scene::Layer& other) { return other.key == layer.key; };
+      const auto known = std::find_if(before->layers.begin(), before->layers.end(), same_key);
+      if (known == before->layers.end()) continue;
+      Drawn& was = old.layers[static_cast<std::size_t>(known - before->layers.begin())];
+      if (was.now.actors.empty()) continue;  // stays, or is another's already
+      drawn.before = was.is_made() ? std::move(was.now) : std::exchange(was.before, std::nullopt);
+      was = {};
     }
-    take_out(old, old.layers);
+    for (const LayerActors& layer : old.above) take_out(old, layer);
+    for (const Drawn& gone : old.layers) {
+      take_out(old, gone.now);
+      if (gone.before) take_out(old, *gone.before);
+    }
     // In the order of the layers, which what is translucent is drawn in; those that stay keep what is on the card.
     made.renderer->GetViewProps()->RemoveAllItems();
-    put_in(made, made.layers);
+    for (const Drawn& drawn : made.layers) {
+      if (drawn.before) put_in(made, *drawn.before);
+      put_in(made, drawn.now);
+    }
     return made;
   }
 
-  /// Apart from whether they are shown.
+  /// Apart from whether they are shown. Lists that are equal without being the same are compared: whoever makes
+  /// pictures of many points shares those (scene::share_with).
   static bool draws_alike(const scene::Layer& a, const scene::Layer& b) {
     return a.key == b.key && a.style == b.style && a.content == b.content;
   }
@@ -211,15 +291,80 @@ class VtkScene::Impl {
     camera.SetViewUp(0.0, 1.0, 0.0);
     camera.SetParallelScale(0.5 * (seen_bottom - std::max(top, 0.0)) / ratio_ / place.transform.points_per_x);
     camera.SetClippingRange(1.0, 2.0 * reach);
-    for (std::size_t i = 0; i < panel.layers.size(); ++i) {
-      const bool visible = described.layers[i].visible;
-      for (const auto& actor : panel.layers[i].actors) actor->SetVisibility(visible);
-      if (!visible) continue;
-      for (const auto& follow : panel.layers[i].on_view) follow(place, ratio_);
-    }
-    for (const LayerActors& layer : panel.above) {
+    for (std::size_t i = 0; i < panel.layers.size(); ++i)
+      settle(panel, panel.layers[i], described.layers[i].visible, place);
+    for (LayerActors& layer : panel.above) {
+      refresh(layer, place);
       for (const auto& follow : layer.on_view) follow(place, ratio_);
     }
+  }
+
+  /// Shows or hides a layer, with its shapes as the view wants them.
+  void settle(Panel& panel, Drawn& drawn, bool visible, const scene::PanelLayout& place) {
+    const bool shown = visible && panel.frame == nullptr;
+    if (shown) refresh(drawn.now, place);
+    if (drawn.before && (!visible || drawn.is_made())) {
+      take_out(panel, *drawn.before);
+      drawn.before.reset();
+    }
+    if (drawn.before) {
+      for (const auto& actor : drawn.before->actors) actor->SetVisibility(shown);
+    }
+    for (const auto& actor : drawn.now.actors) actor->SetVisibility(shown && !drawn.before);
+    if (!shown) return;
+    for (const auto& follow : drawn.now.on_view) follow(place, ratio_);
+    if (!drawn.before) return;
+    for (const auto& actor : drawn.now.actors) actor->SetVisibility(false);
+  }
+
+  /// Makes the shapes of a layer that no longer serve, or has them made.
+  void refresh(LayerActors& layer, const scene::PanelLayout& place) {
+    const Look look = look_at(place, ratio_, layer.points);
+    for (const std::shared_ptr<Shape>& shape : layer.shapes) {
+      if (shape->serves(look)) {
+        shape->wanted = 0;  // what is being made for another view is not needed
+        continue;
+      }
+      if (layer.points <= left_) {
+        left_ -= layer.points;
+        shape->wanted = 0;
+        shape->show(shape->make(look), look);
+        continue;
+      }
+      waiting_ = true;
+      if (shape->wanted != 0 && shape->wanted_for.serves(look, shape->follows)) continue;
+      shape->wanted_for = look;
+      const std::uint64_t number = shape->wanted = ++requests_;
+      later_([shape, look, number]() -> std::function<void()> {
+        if (shape->wanted != number) return [] {};
+        return [shape, look, number, made = shape->make(look)] {
+          if (shape->wanted != number) return;
+          shape->wanted = 0;
+          shape->show(made, look);
+        };
+      });
+    }
+  }
+
+  struct Pixels {
+    int left = 0, right = 0, bottom = 0, top = 0;  ///< From the lower left corner of the window.
+  };
+  [[nodiscard]] Pixels pixels_of(const geom::Box& plot) const {
+    const auto whole = [](double value, int most) { return std::clamp(static_cast<int>(std::round(value)), 0, most); };
+    return {whole(plot.low.x * ratio_, width_), whole(plot.high.x * ratio_, width_),
+            height_ - whole(plot.high.y * ratio_, height_), height_ - whole(plot.low.y * ratio_, height_)};
+  }
+
+  /// What stands within a plot is part of the frame that is held there.
+  [[nodiscard]] bool is_in_held_frame(const scene::Mark& mark) const {
+    const geom::Point middle = scene::box_of(mark).centre();
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const geom::Box& plot = layout_.panels[i].plot;
+      if (panels_[i].frame != nullptr && plot.grown(-2.0).contains(middle) &&
+          scene::box_of(mark).width() < 0.9 * plot.width())  // not the frame of the plot
+        return true;
+    }
+    return false;
   }
 
   scene::Ground ground_;
@@ -227,6 +372,10 @@ class VtkScene::Impl {
   vtkSmartPointer<vtkRenderer> background_;
   vtkSmartPointer<vtkRenderer> front_;
   std::unique_ptr<VtkMarks> marks_;
+  std::size_t left_ = 0;  ///< Points whose shapes may yet be made at once.
+  std::uint64_t requests_ = 0;
+  bool waiting_ = false;
+  bool held_ = false;
 };
 
 VtkScene::VtkScene(vtkRenderWindow& window, const scene::LayoutOptions& options)
@@ -243,7 +392,7 @@ void VtkScene::set_picture(scene::Picture picture, KeepViews keep) {
     if (same != old.end()) views[i] = impl_->views_[static_cast<std::size_t>(same - old.begin())];
   }
   const scene::Picture before = std::exchange(impl_->picture_, std::move(picture));
-  scene::fill_regions(impl_->picture_);
+  impl_->drop_frame();
   impl_->views_ = std::move(views);
   impl_->build(before);
   impl_->arrange();
@@ -260,6 +409,7 @@ void VtkScene::set_layer_visible(std::string_view panel_key, std::string_view la
       if (layer.key == layer_key) layer.visible = visible;
     }
   }
+  impl_->drop_frame();
   impl_->arrange();
 }
 
@@ -295,6 +445,7 @@ void VtkScene::resize(int width, int height, double device_pixel_ratio) {
   impl_->width_ = width;
   impl_->height_ = height;
   impl_->ratio_ = device_pixel_ratio;
+  impl_->drop_frame();
   impl_->window_.SetSize(width, height);
   impl_->arrange();
 }
@@ -309,5 +460,19 @@ std::optional<std::size_t> VtkScene::panel_at(geom::Point page) const {
 }
 
 void VtkScene::release() { impl_->release(); }
+
+void VtkScene::make_later(std::function<void(Work)> later) { impl_->later_ = std::move(later); }
+
+void VtkScene::arrive() { impl_->arrange(); }
+
+bool VtkScene::is_waiting() const { return impl_->is_waiting(); }
+
+void VtkScene::hold_frame() { impl_->hold_frame(); }
+
+void VtkScene::let_go() {
+  if (impl_->drop_frame()) impl_->arrange();
+}
+
+bool VtkScene::holds_frame() const { return impl_->holds_frame(); }
 
 }  // namespace dobra::render

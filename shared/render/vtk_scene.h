@@ -1,9 +1,10 @@
 #pragma once
 // A picture in a VTK render window: one renderer a panel for its layers, one over them for the page's marks, from the
-// same layout as the files. Panning and zooming move a camera; geometry is built once a layer, and stays through
-// pictures whose layer of that key is the same. The window belongs to the caller, who also calls its Render(). No Qt
-// here; VTK's headers stay in the .cpp files.
+// same layout as the files. Panning and zooming move a camera; what is drawn of a layer stays through pictures whose
+// layer of that key is the same, and is made to the detail that can be seen. The window belongs to the caller, who also
+// calls its Render(). No Qt here; VTK's headers stay in the .cpp files.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -36,8 +37,8 @@ class VtkScene {
   VtkScene& operator=(const VtkScene&) = delete;
 
   /// @param keep  Yes: panels that were there under the same key go on looking where they did.
-  /// @cost  O(points) of layers that are as they were; O(points + triangles, sorted) of the others, and the filling of
-  ///        regions where the picture has none yet (scene::fill_regions).
+  /// @cost  O(layers), and that of their shapes: of all that changed, O(n log n) for n points; with make_later only
+  ///        those of few points.
   void set_picture(scene::Picture picture, KeepViews keep = KeepViews::No);
   [[nodiscard]] const scene::Picture& picture() const;
 
@@ -62,6 +63,24 @@ class VtkScene {
   void set_views(std::vector<std::optional<scene::View>> views);
   /// What each panel shows now.
   [[nodiscard]] std::vector<scene::View> views() const;
+
+  /// A part of the work of a picture. It may be called on any thread; what it returns is to be called on that of the
+  /// scene, and shows what was made.
+  using Work = std::function<std::function<void()>()>;
+  /// Shapes of many points are no longer made at once: their making goes to `later`, and until it is done what was
+  /// there before is shown. Whoever has shown some of them calls arrive().
+  void make_later(std::function<void(Work)> later);
+  /// Takes notice of what has been shown since.
+  void arrive();
+  /// Shapes are still being made.
+  [[nodiscard]] bool is_waiting() const;
+
+  /// From the frame that was drawn last to let_go(), plots show that frame, moved and scaled as the view is, and not
+  /// their layers. A new picture, another visibility or size lets go. @pre a frame has been drawn, the context is
+  /// current.
+  void hold_frame();
+  void let_go();
+  [[nodiscard]] bool holds_frame() const;
 
   /// Size of the window in its own pixels; page units are `device_pixel_ratio` pixels each.
   void resize(int width, int height, double device_pixel_ratio);

@@ -42,8 +42,8 @@ std::string text_in(const Table& entry, std::string_view key) {
 
 std::vector<geom::Point> points_in(const Table& entry) {
   const Value* value = entry.find("points");
-  const auto* points = value == nullptr ? nullptr : std::get_if<std::vector<geom::Point>>(value);
-  return points == nullptr ? std::vector<geom::Point>() : *points;
+  const auto* points = value == nullptr ? nullptr : std::get_if<Points>(value);
+  return points == nullptr ? std::vector<geom::Point>() : points->list();
 }
 
 base::Error edit_refused(const std::string& name, const char* why) {

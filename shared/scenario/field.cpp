@@ -75,7 +75,7 @@ struct FoundText {
   }
   std::string operator()(geom::Point point) const { return "the point " + value_toml(point); }
   std::string operator()(const std::vector<double>& list) const { return counted(list.size(), "number", "numbers"); }
-  std::string operator()(const std::vector<geom::Point>& list) const { return counted(list.size(), "point", "points"); }
+  std::string operator()(const Points& list) const { return counted(list.size(), "point", "points"); }
   std::string operator()(const std::vector<std::string>& list) const { return counted(list.size(), "text", "texts"); }
   std::string operator()(const std::vector<Table>& list) const { return counted(list.size(), "table", "tables"); }
 };
@@ -91,6 +91,7 @@ struct IsEmptyList {
   bool operator()(const std::vector<T>& list) const {
     return list.empty();
   }
+  bool operator()(const Points& list) const { return list.empty(); }
 };
 
 bool is_empty_list(const Value& value) { return std::visit(IsEmptyList{}, value); }
@@ -130,7 +131,7 @@ base::Result<void> check_numbers(const Value& value, const Value& written, const
       }
     }
   }
-  if (const auto* points = std::get_if<std::vector<geom::Point>>(&value)) {
+  if (const auto* points = std::get_if<Points>(&value)) {
     for (std::size_t i = 0; i < points->size(); ++i) {
       if (!geom::is_finite((*points)[i])) {
         return bad_value(fmt::format("point {} of '{}' must have finite coordinates, found {}", i + 1, field.key,
@@ -278,7 +279,7 @@ std::optional<Value> as_kind(const Value& value, Kind kind) {
       if (empty) return Value(std::vector<double>{});
       return same(numbers);
     case Kind::Points:
-      return empty ? Value(std::vector<geom::Point>{}) : same(std::get_if<std::vector<geom::Point>>(&value));
+      return empty ? Value(Points{}) : same(std::get_if<Points>(&value));
     case Kind::Texts:
       return empty ? Value(std::vector<std::string>{}) : same(std::get_if<std::vector<std::string>>(&value));
     case Kind::Tables:
@@ -375,7 +376,7 @@ std::vector<double> numbers_of(const Value& value) {
   return std::get<std::vector<double>>(as_kind(value, Kind::Numbers).value());
 }
 std::vector<geom::Point> points_of(const Value& value) {
-  return std::get<std::vector<geom::Point>>(as_kind(value, Kind::Points).value());
+  return std::get<Points>(as_kind(value, Kind::Points).value()).list();
 }
 std::vector<std::string> texts_of(const Value& value) {
   return std::get<std::vector<std::string>>(as_kind(value, Kind::Texts).value());

@@ -46,7 +46,7 @@ Json json_of(const Table& table, const std::vector<Field>& fields);
 struct ToJson {
   const Field& field;
   Json operator()(const geom::Point& point) const { return json_of(point); }
-  Json operator()(const std::vector<geom::Point>& points) const {
+  Json operator()(const Points& points) const {
     Json list = Json::array();
     for (const geom::Point& point : points) list.push_back(json_of(point));
     return list;

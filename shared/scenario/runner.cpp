@@ -38,27 +38,6 @@ std::string file_marks(const Table& table, const std::vector<Field>& fields, con
   return marks;
 }
 
-/// Comments do not change a state.
-Table without_comments(const Table& table) {
-  Table bare;
-  for (const Table::Entry& entry : table.entries()) {
-    if (const auto* rows = std::get_if<std::vector<Table>>(&entry.value)) {
-      std::vector<Table> bare_rows;
-      for (const Table& row : *rows) bare_rows.push_back(without_comments(row));
-      bare.set(entry.key, std::move(bare_rows));
-    } else {
-      bare.set(entry.key, entry.value);
-    }
-  }
-  return bare;
-}
-
-std::string key_of(std::uint64_t before, const std::string& what, const Table& table, const std::vector<Field>& fields,
-                   const std::filesystem::path& folder) {
-  return fmt::format("{} {}\n{}{}", before, what, table_toml(without_comments(table), "x"),
-                     file_marks(table, fields, folder));
-}
-
 std::string input_key(const Context& context) {
   return fmt::format("{} {} {}", context.folder.string(), context.units.text(), context.shown_units.text());
 }
@@ -101,17 +80,18 @@ base::Result<void> check_numbers(const Program& program, const State& state) {
 
 }  // namespace
 
-const State* Runner::recall(const std::string& key, std::uint64_t& number) {
-  const auto found = remembered_.find(key);
-  if (found == remembered_.end()) return nullptr;
+const State* Runner::recall(const Key& key, std::uint64_t& number) {
+  const auto [first, last] = remembered_.equal_range(key.text);
+  const auto found = std::find_if(first, last, [&](const auto& known) { return known.second.table == key.table; });
+  if (found == last) return nullptr;
   found->second.last_used = runs_;
   number = found->second.number;
   return &found->second.state;
 }
 
-void Runner::remember(const std::string& key, State state, std::uint64_t& number) {
+void Runner::remember(Key key, State state, std::uint64_t& number) {
   number = next_number_++;
-  remembered_[key] = {std::move(state), number, runs_};
+  remembered_.emplace(std::move(key.text), Remembered{std::move(key.table), std::move(state), number, runs_});
   ++computed_;
 }
 
@@ -158,8 +138,9 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     }
     const Table& table = k == 0 ? document.input : document.steps[k - 1].params;
     const std::vector<Field>& fields = k == 0 ? program_.input_fields : operation->fields;
-    const std::string key =
-        key_of(before, k == 0 ? input_key(context) : operation->name, table, fields, context.folder);
+    Key key{fmt::format("{} {}\n{}", before, k == 0 ? input_key(context) : operation->name,
+                        file_marks(table, fields, context.folder)),
+            table};
     if (const State* known = recall(key, before)) {
       run.states.push_back(*known);
       return {};
@@ -170,7 +151,8 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     DOBRA_TRY(State state,
               k == 0 ? program_.read_input(si, context, part) : operation->run(run.states.back(), si, context, part));
     DOBRA_TRY_VOID(check_numbers(program_, state));
-    if (!progress.cancelled()) remember(key, state, before);  // what an interrupted step gave is not its result
+    if (!progress.cancelled())
+      remember(std::move(key), state, before);  // what an interrupted step gave is not its result
     run.states.push_back(std::move(state));
     return {};
   };

@@ -35,18 +35,23 @@ class Runner {
   [[nodiscard]] std::size_t computed() const { return computed_; }
 
  private:
-  /// A state under the text of its step and the number of the state before it.
+  /// What a state depends on: the parameters of its step, and everything else as text.
+  struct Key {
+    std::string text;  ///< The number of the state before it, the step, size and time of its files.
+    Table table;       ///< Compared without comments and places; shares its points with the document.
+  };
   struct Remembered {
+    Table table;
     State state;
     std::uint64_t number = 0;  ///< Never used again for another state.
     std::uint64_t last_used = 0;
   };
-  const State* recall(const std::string& key, std::uint64_t& number);
-  void remember(const std::string& key, State state, std::uint64_t& number);
+  const State* recall(const Key& key, std::uint64_t& number);
+  void remember(Key key, State state, std::uint64_t& number);
   void forget();
 
   const Program& program_;
-  std::map<std::string, Remembered> remembered_;
+  std::multimap<std::string, Remembered> remembered_;  ///< By Key::text.
   std::uint64_t next_number_ = 1;
   std::uint64_t runs_ = 0;
   std::size_t computed_ = 0;

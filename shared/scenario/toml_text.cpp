@@ -96,6 +96,10 @@ struct Items {
     is_list = true;
     for (const T& item : list) texts.push_back(item_toml(item));
   }
+  void operator()(const Points& list) {
+    is_list = true;
+    for (const geom::Point& item : list) texts.push_back(item_toml(item));
+  }
 };
 
 std::string scalar_toml(const Value& value) {

@@ -168,9 +168,10 @@ struct Times {
     for (double& number : list) number = ratio.times(number);
     return list;
   }
-  Value operator()(std::vector<geom::Point> list) const {
+  Value operator()(const Points& points) const {
+    std::vector<geom::Point> list = points.list();
     for (geom::Point& p : list) p = {ratio.times(p.x), ratio.times(p.y)};
-    return list;
+    return Points(list);
   }
   Value operator()(const std::vector<std::string>& list) const { return list; }
   Value operator()(const std::vector<Table>& list) const { return list; }

@@ -42,13 +42,13 @@ class Turn {
     (*this)(box.high);
   }
   void operator()(geom::Polyline& line) const { each(line.points); }
-  void operator()(scene::Lines& content) const { each(content.lines); }
+  void operator()(scene::Lines& content) const { each(content.lines.edit()); }
   void operator()(scene::Markers& content) const { each(content.points); }
   void operator()(scene::Regions& content) const {
-    for (scene::Region& region : content.regions) each(region.contours);
+    for (scene::Region& region : content.regions.edit()) each(region.contours);
   }
   void operator()(scene::Mesh& content) {
-    each(content.points);
+    each(content.points.edit());
     if (content.values_at == scene::ValuesAt::None) return;
     scene::Scale& scale = content.scale;
     values_ = retitle(scale.title, units_);
@@ -56,7 +56,7 @@ class Turn {
     const auto turned = [&](double value) {
       return scale.ticks == scene::AxisScale::Log10 ? value + shift : values_.times(value);
     };
-    for (double& value : content.values) value = turned(value);
+    for (double& value : content.values.edit()) value = turned(value);
     scale.low = turned(scale.low);
     scale.high = turned(scale.high);
     for (std::optional<double>* end : {&scale.least, &scale.greatest}) {

@@ -19,6 +19,9 @@ bool is_tables(const Value& value) {
 
 bool equal(const Value& a, const Value& b) {
   if (is_tables(a) || is_tables(b)) return a == b;
+  const auto* points = std::get_if<Points>(&a);
+  const auto* others = std::get_if<Points>(&b);
+  if (points != nullptr && others != nullptr) return *points == *others;
   return value_toml(a) == value_toml(b);
 }
 
@@ -32,39 +35,61 @@ std::vector<const Table::Entry*> in_file_order(const Table& table) {
 
 }  // namespace
 
+const std::vector<Table::Entry>& Table::entries() const {
+  static const std::vector<Entry> none;
+  return entries_ ? *entries_ : none;
+}
+
+std::vector<Table::Entry>& Table::own_entries() {
+  if (!entries_)
+    entries_ = std::make_shared<std::vector<Entry>>();
+  else if (entries_.use_count() > 1)
+    entries_ = std::make_shared<std::vector<Entry>>(*entries_);
+  return *entries_;
+}
+
 const Value* Table::find(std::string_view key) const {
-  const auto entry = locate(entries_, key);
-  return entry == entries_.end() ? nullptr : &entry->value;
+  const auto entry = locate(entries(), key);
+  return entry == entries().end() ? nullptr : &entry->value;
 }
 
 const base::Place& Table::place(std::string_view key) const {
-  const auto entry = locate(entries_, key);
-  return entry == entries_.end() ? own_place : entry->place;
+  const auto entry = locate(entries(), key);
+  return entry == entries().end() ? own_place : entry->place;
 }
 
-void Table::set(std::string_view key, Value value) { set(key, std::move(value), place(key)); }
+void Table::set(std::string_view key, Value value) {
+  base::Place here = place(key);  // by value: the entries may become a copy
+  set(key, std::move(value), std::move(here));
+}
 
 void Table::set(std::string_view key, Value value, base::Place place) {
-  const auto entry = locate(entries_, key);
-  if (entry == entries_.end()) {
-    entries_.push_back({std::string(key), std::move(value), std::move(place), {}});
-  } else {
-    entry->value = std::move(value);
-    entry->place = std::move(place);
+  std::vector<Entry>& own = own_entries();
+  const auto entry = locate(own, key);
+  if (entry == own.end()) {
+    own.push_back({std::string(key), std::move(value), std::move(place), {}});
+    return;
   }
+  const auto* before = std::get_if<Points>(&entry->value);
+  const auto* after = std::get_if<Points>(&value);
+  if (before != nullptr && after != nullptr) value = Points(after->list(), *before);
+  entry->value = std::move(value);
+  entry->place = std::move(place);
 }
 
 void Table::set_comment(std::string_view key, std::string text) {
-  const auto entry = locate(entries_, key);
-  if (entry != entries_.end()) entry->comment = std::move(text);
+  if (find(key) == nullptr) return;
+  locate(own_entries(), key)->comment = std::move(text);
 }
 
 void Table::erase(std::string_view key) {
-  const auto entry = locate(entries_, key);
-  if (entry != entries_.end()) entries_.erase(entry);
+  if (find(key) == nullptr) return;
+  std::vector<Entry>& own = own_entries();
+  own.erase(locate(own, key));
 }
 
 bool operator==(const Table& a, const Table& b) {
+  if (a.entries_ == b.entries_) return true;
   const auto left = in_file_order(a);
   const auto right = in_file_order(b);
   return std::equal(left.begin(), left.end(), right.begin(), right.end(),

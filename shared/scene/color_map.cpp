@@ -87,7 +87,7 @@ bool settle_constant(Mesh& mesh, double size) {
   if (!(*greatest - *least <= rounding)) return false;
   const double middle = 0.5 * (*least + *greatest);
   const double value = std::abs(middle) <= rounding ? 0.0 : middle;
-  std::fill(mesh.values.begin(), mesh.values.end(), value);
+  std::ranges::fill(mesh.values.edit(), value);
   mesh.scale.low = mesh.scale.high = value;
   mesh.scale.least = mesh.scale.greatest = std::nullopt;
   return true;

@@ -16,9 +16,6 @@ namespace dobra::scene {
 /// @cost    O((n + k) log n), k = places where contours cross. At most 2 (n + k) triangles.
 std::vector<geom::Point> triangles_of(const Region& region);
 
-/// Makes the triangles of all filled regions of a picture that have none yet. @cost  that of triangles_of.
-void fill_regions(Picture& picture);
-
 /// Closed loops of one colour; filled under the non-zero rule.
 struct ColoredArea {
   Color color{};

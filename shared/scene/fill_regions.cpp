@@ -251,19 +251,4 @@ std::vector<Point> triangles_of(const Region& region) {
   return Sweep(region, wide ? Sweep::Axes::Exchanged : Sweep::Axes::AsGiven).run();
 }
 
-void fill_regions(Picture& picture) {
-  for (Panel& panel : picture.panels) {
-    for (Layer& layer : panel.layers) {
-      auto* content = std::get_if<Regions>(&layer.content);
-      if (content == nullptr || !layer.style.fill || content->triangles) continue;
-      std::vector<Point> all;
-      for (const Region& region : content->regions) {
-        const std::vector<Point> triangles = triangles_of(region);
-        all.insert(all.end(), triangles.begin(), triangles.end());
-      }
-      content->triangles = std::make_shared<const std::vector<Point>>(std::move(all));
-    }
-  }
-}
-
 }  // namespace dobra::scene

@@ -1,6 +1,7 @@
 #pragma once
-// The display list: what a model looks like, as plain data. VTK draws it in the window and off-screen, cairo writes it
-// as SVG, PDF and PNG, tests read it. It knows nothing of any drawer.
+// The display list: what a model looks like, as plain data. Copies of a picture share its lines, areas and meshes. VTK
+// draws it in the window and off-screen, cairo writes it as SVG, PDF and PNG, tests read it. It knows nothing of any
+// drawer.
 
 #include <array>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "shared/base/shared.h"
 #include "shared/geom/box.h"
 #include "shared/geom/polyline.h"
 
@@ -43,7 +45,7 @@ struct Style {
 
 /// Open or closed lines. Item i of every content has the identity `ids[i]`, or i where ids is empty.
 struct Lines {
-  std::vector<geom::Polyline> lines{};
+  base::Shared<std::vector<geom::Polyline>> lines{};
   std::vector<std::uint32_t> ids{};
   friend bool operator==(const Lines&, const Lines&) = default;
 };
@@ -61,11 +63,9 @@ struct Region {
 };
 
 struct Regions {
-  std::vector<Region> regions{};
+  base::Shared<std::vector<Region>> regions{};
   std::vector<std::uint32_t> ids{};
-  /// Corners of the triangles that cover all regions, for drawers that need them; null until fill_regions (fill.h).
-  std::shared_ptr<const std::vector<geom::Point>> triangles{};
-  friend bool operator==(const Regions& a, const Regions& b) { return a.regions == b.regions && a.ids == b.ids; }
+  friend bool operator==(const Regions&, const Regions&) = default;
 };
 
 enum class ColorMapName {
@@ -95,10 +95,10 @@ enum class ValuesAt { None, Triangles, Points };
 
 /// A triangle mesh, its triangles filled by value (or by style.fill) and outlined with style.line.
 struct Mesh {
-  std::vector<geom::Point> points{};
-  std::vector<std::array<std::uint32_t, 3>> triangles{};
+  base::Shared<std::vector<geom::Point>> points{};
+  base::Shared<std::vector<std::array<std::uint32_t, 3>>> triangles{};
   ValuesAt values_at = ValuesAt::None;
-  std::vector<double> values{};
+  base::Shared<std::vector<double>> values{};
   Scale scale{};
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "shared/scene/fill.h"
+#include "shared/scene/detail.h"
 
 namespace dobra::gui::documents {
 
@@ -13,12 +13,16 @@ using PicturePtr = std::shared_ptr<const scene::Picture>;
 constexpr int short_run = 250;  ///< Milliseconds.
 constexpr auto least_time_between_reports = std::chrono::milliseconds(30);
 
-/// Null for a picture of nothing.
-PicturePtr filled(scene::Picture picture) {
+/// Shares with the pictures before what is as it was there. Null for a picture of nothing.
+PicturePtr shared_with(scene::Picture picture, std::initializer_list<PicturePtr> before) {
   if (picture.panels.empty()) return nullptr;
-  scene::fill_regions(picture);  // here, and not on the window's thread
+  for (const PicturePtr& other : before) {
+    if (other) scene::share_with(picture, *other);  // here, and not on the window's thread
+  }
   return std::make_shared<const scene::Picture>(std::move(picture));
 }
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 }  // namespace
 
@@ -29,9 +33,10 @@ struct Worker::Kept {
   scenario::Runner runner;
   scenario::State input;  ///< What `picture` is of.
   PicturePtr picture = nullptr;
+  PicturePtr result = nullptr;  ///< The last that was made.
 
   PicturePtr picture_of_input(const scenario::Program& program, const scenario::State& state) {
-    if (input != state) picture = filled(program.picture_of(state));
+    if (input != state) picture = shared_with(program.picture_of(state), {picture});
     input = state;
     return picture;
   }
@@ -41,17 +46,20 @@ struct Worker::Kept {
     auto outcome = std::make_shared<Outcome>();
     outcome->document = document;
     outcome->run = runner.run(*document, progress);
+    outcome->run_seconds = seconds_since(begin);
     const std::vector<scenario::State>& states = outcome->run.states;
     if (states.empty()) {
-      outcome->picture = filled(program.picture_of_input(*document));
+      outcome->picture = shared_with(program.picture_of_input(*document), {result});
     } else {
       outcome->input = picture_of_input(program, states.front());
-      outcome->picture = states.size() == 1 ? outcome->input : filled(program.picture_of(states.back()));
+      outcome->picture = states.size() == 1 ? outcome->input
+                                            : shared_with(program.picture_of(states.back()), {result, outcome->input});
       outcome->quantities = program.quantities_of(states.back());
       outcome->remarks = program.remarks_of(states.back());
     }
+    result = outcome->picture;
     if (outcome->run.complete()) outcome->verdicts = scenario::judge(*document, program, outcome->run);
-    outcome->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    outcome->seconds = seconds_since(begin);
     return outcome;
   }
 };

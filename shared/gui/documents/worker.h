@@ -25,7 +25,8 @@ struct Outcome {
   std::vector<scenario::Quantity> quantities;
   std::vector<std::string> remarks;
   std::vector<scenario::Verdict> verdicts;  ///< Of a complete run.
-  double seconds = 0.0;
+  double seconds = 0.0;                     ///< All of it,
+  double run_seconds = 0.0;                 ///< without what is shown.
 };
 using OutcomePtr = std::shared_ptr<const Outcome>;
 

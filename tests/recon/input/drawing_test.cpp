@@ -66,7 +66,7 @@ TEST(Drawing, AVertexMovesAndTheOtherNumbersStayAsTheyWereWritten) {
   line.points[1].y += 10.0;
   const scenario::Document after = edited(document, {{{"horizon_0", 0}, {line}}});
   const auto points = std::get<std::vector<scenario::Table>>(*after.input.find("horizon"))[0].find("points");
-  const auto& written = std::get<std::vector<Point>>(*points);
+  const auto& written = std::get<scenario::Points>(*points);
   EXPECT_EQ(written[0], (Point{0, 0}));
   EXPECT_EQ(written[2], (Point{200, 0}));
   const section::Section there = section_of(after);

@@ -32,7 +32,7 @@ class CanvasTest : public test::WindowFixture {
     window.view().setFocus();
   }
   std::vector<Point> bump(std::size_t i) {
-    return std::get<std::vector<Point>>(*test::bumps_of(window.session().document()).at(i).find("points"));
+    return std::get<scenario::Points>(*test::bumps_of(window.session().document()).at(i).find("points")).list();
   }
   std::size_t count() { return test::bumps_of(window.session().document()).size(); }
   QPoint pixel(Point at) { return window.view().pixel_of(0, at).toPoint(); }

@@ -243,6 +243,112 @@ TEST(TableForm, TablesInATableAreAddedEditedAndRemoved) {
   EXPECT_FALSE(form.type("bump.3.height", "1").ok());
 }
 
+std::vector<Table> many_bumps(std::size_t count) {
+  std::vector<Table> bumps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    bumps[i].set("name", "bump " + std::to_string(i));
+    bumps[i].set("height", 1.0 + static_cast<double>(i));
+  }
+  return bumps;
+}
+
+Table with_bumps(const std::vector<Table>& bumps) {
+  Table table;
+  table.set("bump", bumps);
+  return table;
+}
+
+TEST(TableForm, OnlyOpenedTablesHaveForms) {
+  TableForm form(scenario::fields_of<test::WaveInput>(), {});
+  Table last;
+  QObject::connect(&form, &TableForm::edited, [&](const Table& table) { last = table; });
+  form.set_table(with_bumps(many_bumps(100)));
+  form.show();
+  EXPECT_EQ(form.findChildren<TableForm*>().size(), 0);
+  QList<QToolButton*> headers;
+  for (QToolButton* button : form.findChildren<QToolButton*>()) {
+    if (button->isCheckable() && button->text().contains("bump ")) headers << button;
+  }
+  ASSERT_EQ(headers.size(), 100);
+  QTest::mouseClick(headers[41], Qt::LeftButton);
+  ASSERT_EQ(form.findChildren<TableForm*>().size(), 1);
+  auto* opened = form.findChild<TableForm*>();
+  EXPECT_TRUE(opened->isVisible());
+  EXPECT_EQ(opened->findChild<QWidget*>("editor.height")->findChild<QLineEdit*>()->text(), "42.0");
+  QTest::mouseClick(headers[41], Qt::LeftButton);
+  EXPECT_FALSE(opened->isVisible());
+  // An edit of one says the others as they are, whether they have been open or not.
+  ASSERT_TRUE(form.type("bump.8.height", "4.5").ok());
+  EXPECT_EQ(form.findChildren<TableForm*>().size(), 2);
+  std::vector<Table> expected = many_bumps(100);
+  expected[7].set("height", 4.5);
+  EXPECT_TRUE(last == with_bumps(expected));
+  // Back in an older document, what is open shows its values, and what was never open takes them too.
+  form.set_table(with_bumps(many_bumps(50)));
+  EXPECT_EQ(opened->findChild<QWidget*>("editor.height")->findChild<QLineEdit*>()->text(), "42.0");
+  ASSERT_TRUE(form.type("bump.50.height", "1.5").ok());
+  expected = many_bumps(50);
+  expected[49].set("height", 1.5);
+  EXPECT_TRUE(last == with_bumps(expected));
+}
+
+/// Counts what is told to a widget of its looks.
+class LooksChanged : public QObject {
+ public:
+  using QObject::QObject;
+  int count = 0;
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const QEvent::Type type = event->type();
+    if (type == QEvent::PaletteChange || type == QEvent::FontChange || type == QEvent::LayoutRequest) ++count;
+    return QObject::eventFilter(object, event);
+  }
+};
+
+TEST(TableForm, AnEditTouchesTheRowThatItChanges) {
+  TableForm form(scenario::fields_of<test::StackParams>(), {});
+  Table table;
+  table.set("note", std::string("first"));
+  form.set_table(table);
+  form.show();
+  QApplication::processEvents();
+  LooksChanged others;
+  for (const char* key : {"count", "distance", "tilt", "corners", "filled", "limit", "datum"}) {
+    for (QWidget* inside : form.findChild<QWidget*>(QString("editor.") + key)->findChildren<QWidget*>())
+      inside->installEventFilter(&others);
+  }
+  for (int i = 0; i < 20; ++i) {
+    table.set("note", "note " + std::to_string(i));
+    form.set_table(table);
+    QApplication::processEvents();
+  }
+  EXPECT_EQ(form.findChild<QWidget*>("editor.note")->findChild<QLineEdit*>()->text(), "note 19");
+  EXPECT_EQ(others.count, 0);
+  table.set("distance", 12.0);  // which does change something
+  form.set_table(table);
+  QApplication::processEvents();
+  EXPECT_GT(others.count, 0);
+}
+
+TEST(TableForm, WordsTakeTheColoursOfAnotherTheme) {
+  TableForm form(scenario::fields_of<test::StackParams>(), {});
+  Table table;
+  table.set("count", std::int64_t{4});
+  form.set_table(table);
+  form.show();
+  const QPalette before = QApplication::palette();
+  const QPalette dark(QColor("#eff0f1"), QColor("#31363b"), Qt::white, Qt::black, Qt::gray, QColor("#eff0f1"),
+                      QColor("#232629"));
+  QApplication::setPalette(dark);
+  QApplication::processEvents();
+  form.set_table(table);
+  const auto* line = form.findChild<QWidget*>("editor.count")->findChild<QLineEdit*>();
+  EXPECT_EQ(line->palette().color(QPalette::Text), QColor("#eff0f1"));
+  EXPECT_EQ(line->palette().color(QPalette::Base), QColor("#232629"));
+  QApplication::setPalette(before);
+}
+
 /// Names one thing of the model, and several.
 struct Named {
   std::string one;

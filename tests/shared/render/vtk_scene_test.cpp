@@ -1,10 +1,15 @@
 #include "shared/render/vtk_scene.h"
 
 #include <gtest/gtest.h>
+#include <vtkActor.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkWeakPointer.h>
 
 #include <map>
+#include <utility>
 
 #include "tests/support/example_picture.h"
 
@@ -94,7 +99,7 @@ TEST_F(VtkSceneInWindow, ANewPictureRebuildsTheLayersThatChanged) {
   scene::Picture next = test::example_section();
   scene::Layer& changed = next.panels[0].layers[4];
   ASSERT_EQ(changed.key, "horizons");
-  std::get<scene::Lines>(changed.content).lines[0].points[0].y += 1.0;
+  std::get<scene::Lines>(changed.content).lines.edit()[0].points[0].y += 1.0;
   scene_.set_picture(next, KeepViews::Yes);
   for (const auto& [key, actors] : drawn(scene_)) {
     ASSERT_FALSE(actors.empty() && key == "horizons");
@@ -108,6 +113,97 @@ TEST_F(VtkSceneInWindow, ALayerOfAnotherColourIsRebuilt) {
   next.panels[0].layers[4].style.line = {1, 2, 3};
   scene_.set_picture(next);
   EXPECT_NE(drawn(scene_).at("horizons"), before.at("horizons"));
+}
+
+/// One line of many points, and one of few; `height` of the first.
+scene::Picture long_line(double height) {
+  scene::Picture picture;
+  scene::Panel& panel = picture.panels.emplace_back();
+  panel.key = "section";
+  geom::Polyline line;
+  for (int i = 0; i < 100000; ++i) line.points.push_back({0.01 * i, height + (i % 2)});
+  for (const auto& [key, content] :
+       {std::pair{"long", line}, {"short", geom::Polyline{{{0, 0}, {1000, 100}}, false}}}) {
+    scene::Layer layer;
+    layer.key = key;
+    layer.content = scene::Lines{{content}, {}};
+    panel.layers.push_back(std::move(layer));
+  }
+  return picture;
+}
+
+class VtkSceneAtItsBench : public VtkSceneInWindow {
+ protected:
+  VtkSceneAtItsBench() {
+    scene_.make_later([this](VtkScene::Work work) { bench_.push_back(std::move(work)); });
+  }
+  bool seen(const char* layer) {
+    const std::vector<const vtkActor*> actors = scene_.actors_of(0, layer);
+    EXPECT_EQ(actors.size(), 1U);
+    return const_cast<vtkActor*>(actors.front())->GetVisibility() != 0;
+  }
+  std::int64_t points(const char* layer) {
+    auto* mapper = const_cast<vtkActor*>(scene_.actors_of(0, layer).front())->GetMapper();
+    return static_cast<vtkPolyDataMapper*>(mapper)->GetInput()->GetNumberOfPoints();
+  }
+  /// As a thread of its own would do it.
+  void work() {
+    for (VtkScene::Work& one : std::exchange(bench_, {})) one()();
+    scene_.arrive();
+  }
+  std::vector<VtkScene::Work> bench_;
+};
+
+TEST_F(VtkSceneAtItsBench, ManyPointsAreDrawnLaterAndFewAtOnce) {
+  scene_.set_picture(long_line(50.0));
+  EXPECT_TRUE(scene_.is_waiting());
+  EXPECT_EQ(bench_.size(), 1U);
+  EXPECT_EQ(points("long"), 0);
+  EXPECT_EQ(points("short"), 2);
+  work();
+  EXPECT_FALSE(scene_.is_waiting());
+  EXPECT_TRUE(seen("long"));
+  EXPECT_GT(points("long"), 1000);
+}
+
+TEST_F(VtkSceneAtItsBench, WhatWasThereIsShownUntilTheNewIsMade) {
+  scene_.set_picture(long_line(50.0));
+  work();
+  const vtkWeakPointer<vtkActor> first(const_cast<vtkActor*>(scene_.actors_of(0, "long").front()));
+  scene_.set_picture(long_line(60.0), KeepViews::Yes);
+  EXPECT_FALSE(seen("long"));
+  ASSERT_NE(first.GetPointer(), nullptr);
+  EXPECT_NE(first->GetVisibility(), 0);  // still drawn
+  // A third one before the second is made: the first is still what is shown, and the second is never made.
+  scene_.set_picture(long_line(70.0), KeepViews::Yes);
+  ASSERT_NE(first.GetPointer(), nullptr);
+  EXPECT_NE(first->GetVisibility(), 0);
+  scene_.set_layer_visible("section", "long", false);
+  EXPECT_EQ(first.GetPointer(), nullptr);  // what is hidden is not kept for what it was
+  scene_.set_layer_visible("section", "long", true);
+  work();
+  EXPECT_TRUE(seen("long"));
+  EXPECT_FALSE(scene_.is_waiting());
+}
+
+TEST_F(VtkSceneAtItsBench, OnlyTheLastOfManyViewsIsWorkedFor) {
+  scene_.set_picture(long_line(50.0));
+  work();
+  const std::int64_t whole = points("long");
+  for (const double nearer : {2.0, 8.0, 64.0, 4096.0}) scene_.set_views({scene::View{{500.0, 50.0}, 1.0 / nearer}});
+  EXPECT_GT(points("long"), 0);  // as it was, coarse, until then
+  int made = 0;
+  for (VtkScene::Work& one : std::exchange(bench_, {})) {
+    const auto show = one();
+    show();
+    made += points("long") != whole ? 1 : 0;
+  }
+  EXPECT_EQ(made, 1);
+  scene_.arrive();
+  EXPECT_FALSE(scene_.is_waiting());
+  // From so near few of the points can be seen, and all of those are there: 900 page units, 4096 to a metre, and as
+  // much again on both sides.
+  EXPECT_NEAR(static_cast<double>(points("long")), 100.0 * 3.0 * 900.0 / 4096.0, 25.0);
 }
 
 TEST_F(VtkSceneInWindow, ThePanelUnderAPagePointIsFound) {

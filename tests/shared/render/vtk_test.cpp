@@ -93,10 +93,10 @@ TEST_F(VtkOffscreen, LargeCoordinatesKeepTheirShape) {
   scene::Picture far = picture;
   for (scene::Layer& layer : far.panels[0].layers) {
     if (auto* mesh = std::get_if<scene::Mesh>(&layer.content)) {
-      for (geom::Point& p : mesh->points) p = p + geom::Vector{700000.0, 7456000.0};
+      for (geom::Point& p : mesh->points.edit()) p = p + geom::Vector{700000.0, 7456000.0};
     }
     if (auto* lines = std::get_if<scene::Lines>(&layer.content)) {
-      for (geom::Polyline& line : lines->lines) {
+      for (geom::Polyline& line : lines->lines.edit()) {
         for (geom::Point& p : line.points) p = p + geom::Vector{700000.0, 7456000.0};
       }
     }

@@ -62,7 +62,7 @@ at_most = 2.5
   EXPECT_EQ(document.input.entries()[1].key, "a");
   EXPECT_EQ(std::get<std::int64_t>(*document.input.find("z")), 1);
   EXPECT_EQ(std::get<std::vector<double>>(*document.input.find("a")), (std::vector<double>{1.0, 2.5}));
-  EXPECT_EQ(std::get<std::vector<geom::Point>>(*document.input.find("points"))[1], (geom::Point{1.0, 2.0}));
+  EXPECT_EQ(std::get<Points>(*document.input.find("points"))[1], (geom::Point{1.0, 2.0}));
   const auto& horizons = std::get<std::vector<Table>>(*document.input.find("horizon"));
   ASSERT_EQ(horizons.size(), 2U);
   EXPECT_EQ(std::get<std::string>(*horizons[1].find("name")), "base");
@@ -283,7 +283,7 @@ TEST(Document, LongListsAreWrappedBelow120Columns) {
     ++lines;
   }
   EXPECT_LT(lines, 45U);
-  EXPECT_EQ(std::get<std::vector<geom::Point>>(*parsed(text).input.find("points")), points);
+  EXPECT_EQ(std::get<Points>(*parsed(text).input.find("points")), points);
 }
 
 // Random documents: any text, any double, any list, nested tables, comments.

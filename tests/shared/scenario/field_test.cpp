@@ -136,7 +136,7 @@ TEST(Field, FromTableFillsTheStructAndKeepsDefaults) {
 
 TEST(Field, AnEmptyListDoesForEveryKindOfList) {
   const Value empty = std::vector<double>{};
-  EXPECT_TRUE(std::holds_alternative<std::vector<geom::Point>>(*as_kind(empty, Kind::Points)));
+  EXPECT_TRUE(std::holds_alternative<Points>(*as_kind(empty, Kind::Points)));
   EXPECT_TRUE(std::holds_alternative<std::vector<std::string>>(*as_kind(empty, Kind::Texts)));
   EXPECT_TRUE(std::holds_alternative<std::vector<Table>>(*as_kind(empty, Kind::Tables)));
   EXPECT_TRUE(std::holds_alternative<std::vector<double>>(*as_kind(Value(std::vector<std::string>{}), Kind::Numbers)));
@@ -154,9 +154,9 @@ TEST(Field, WhatTheUserTypesIsReadAndItsTextReadsBack) {
   EXPECT_EQ(std::get<geom::Point>(*parse_value(field_named("pin"), "1, 2.5")), (geom::Point{1.0, 2.5}));
   EXPECT_EQ(std::get<geom::Point>(*parse_value(field_named("pin"), "[1, 2.5]")), (geom::Point{1.0, 2.5}));
   const Value path = *parse_value(field_named("path"), "[0, 0], [1, 2]");
-  EXPECT_EQ(std::get<std::vector<geom::Point>>(path).size(), 2U);
+  EXPECT_EQ(std::get<Points>(path).size(), 2U);
   EXPECT_EQ(value_text(*parse_value(field_named("path"), value_text(path))), value_text(path));
-  EXPECT_EQ(std::get<std::vector<geom::Point>>(*parse_value(field_named("path"), "[]")).size(), 0U);
+  EXPECT_EQ(std::get<Points>(*parse_value(field_named("path"), "[]")).size(), 0U);
 }
 
 TEST(Field, WhatTheUserTypesWronglyIsRefusedWithTheReason) {

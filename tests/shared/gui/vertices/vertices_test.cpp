@@ -133,7 +133,7 @@ class VertexPanelTest : public test::WindowFixture {
   VertexPanel& panel() { return window.vertices(); }
   QTableView& table() { return panel().table(); }
   std::vector<Point> bump(std::size_t i) {
-    return std::get<std::vector<Point>>(*test::bumps_of(window.session().document()).at(i).find("points"));
+    return std::get<scenario::Points>(*test::bumps_of(window.session().document()).at(i).find("points")).list();
   }
   void choose(const char* title) {
     auto* lines = panel().findChild<QComboBox*>("vertices.line");

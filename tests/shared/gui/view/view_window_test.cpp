@@ -65,7 +65,7 @@ class ViewTest : public test::WindowFixture {
     QTest::mouseClick(&window.view(), button, keys, pixel(at));
   }
   std::vector<Point> bump(std::size_t i) {
-    return std::get<std::vector<Point>>(*test::bumps_of(window.session().document()).at(i).find("points"));
+    return std::get<scenario::Points>(*test::bumps_of(window.session().document()).at(i).find("points")).list();
   }
   std::size_t count() { return test::bumps_of(window.session().document()).size(); }
   const canvas::Selection& selection() { return window.canvas().workspace().selection; }
@@ -421,7 +421,7 @@ TEST_F(ViewTest, LinesGoThroughTheClipboardToAnotherWindow) {
   const std::vector<scenario::Table> bumps = test::bumps_of(another.session().document());
   ASSERT_EQ(bumps.size(), 2U);
   EXPECT_EQ(*bumps[0].find("name"), scenario::Value("A"));
-  EXPECT_EQ(std::get<std::vector<Point>>(*bumps[1].find("points")), (std::vector<Point>{{200, 500}, {600, 400}}));
+  EXPECT_EQ(std::get<scenario::Points>(*bumps[1].find("points")).list(), (std::vector<Point>{{200, 500}, {600, 400}}));
 }
 
 TEST_F(ViewTest, CutIsOneStepOfUndoAndPasteAsksTheName) {
