@@ -18,7 +18,7 @@ TEST(Layers, BarsOfTheHistogramAreAsHighAsTheirShareOfTheElements) {
   const scene::Panel& panel = picture.panels[0];
   ASSERT_EQ(panel.layers.size(), 4U) << "two bars, mean and least";
   for (const auto& [layer, left, share] : {std::tuple{0U, 0.6, 0.25}, std::tuple{1U, 0.95, 0.75}}) {
-    const auto box = std::get<scene::Regions>(panel.layers[layer].content).regions.at(0).contours.at(0).box();
+    const auto box = std::get<scene::Regions>(panel.layers[layer].content).regions[0].contours.at(0).box();
     EXPECT_NEAR(box.low.x, left, 1e-15);
     EXPECT_NEAR(box.width(), 0.05, 1e-15);
     EXPECT_EQ(box.high.y, share);
