@@ -252,6 +252,14 @@ void MainWindow::place_docks() {
   resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
 }
 
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (isMaximized() || isFullScreen()) return;
+  // What panels need while they are being placed may have made the window larger than the screen.
+  layout()->activate();
+  resize(size().boundedTo(screen()->availableSize()));
+}
+
 void MainWindow::childEvent(QChildEvent* event) {
   QMainWindow::childEvent(event);
   // Titles of panels under tabs stay whole; what has no room is scrolled to.

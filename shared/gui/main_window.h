@@ -101,6 +101,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void childEvent(QChildEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;

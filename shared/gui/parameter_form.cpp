@@ -549,12 +549,26 @@ ParameterForm::ParameterForm(QWidget* parent)
   // Room that is always there: a form that moved with the focus would slip from under the mouse.
   hint_->setFixedHeight(hint_lines * hint_->fontMetrics().lineSpacing() + 4);
   column->addWidget(hint_);
+  help_->hide();
+  hint_->hide();
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { show_hint(now); });
 }
 
 void ParameterForm::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  hint_->setVisible(height() > 12 * hint_->fontMetrics().lineSpacing());
+  show_words();
+}
+
+void ParameterForm::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  show_words();
+}
+
+void ParameterForm::show_words() {
+  // Well above what the form needs with them, so that a small window can become smaller still.
+  const int lines = isVisible() ? height() / hint_->fontMetrics().lineSpacing() : 0;
+  help_->setVisible(lines > 15 && !help_->text().isEmpty());
+  hint_->setVisible(lines > 18);
 }
 
 void ParameterForm::show_part(const QString& identity, const QString& title, const QString& help,
@@ -562,7 +576,8 @@ void ParameterForm::show_part(const QString& identity, const QString& title, con
                               const std::filesystem::path& folder) {
   title_->setText(title);
   help_->setText(help);
-  help_->setVisible(!help.isEmpty());
+  title_->setToolTip(help);
+  show_words();
   if (form_ == nullptr || identity != identity_) {
     identity_ = identity;
     auto* page = new QWidget;

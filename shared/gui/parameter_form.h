@@ -125,10 +125,12 @@ class ParameterForm : public QWidget {
   void pointing_asked(dobra::gui::FieldEditor* editor, const dobra::scenario::Field& field);
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   /// What the field with the focus is for and may hold.
+  void show_words();
   void show_hint(QWidget* focused);
 
   QString identity_;

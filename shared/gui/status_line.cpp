@@ -50,8 +50,9 @@ StatusLine::StatusLine(QWidget* parent)
   place_->setMinimumWidth(place_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000 m") + 12);
   place_->setObjectName("status.place");
   dip_->setObjectName("status.dip");
-  dip_->setFixedWidth(dip_->fontMetrics().horizontalAdvance(text("dip {:.1f}°") + " (horizon)"));
-  progress_->setFixedWidth(220);
+  dip_->setMaximumWidth(dip_->fontMetrics().horizontalAdvance(text("dip {:.1f}°") + " (horizon)"));
+  progress_->setMinimumWidth(60);
+  progress_->setMaximumWidth(220);
   progress_->setRange(0, 1000);
   cancel_->setIcon(theme::icon(theme::Symbol::Cancel));
   cancel_->setText(text("Cancel"));

@@ -46,7 +46,7 @@ bool same_entry(const Entry& a, const Entry& b) {
 
 /// What stands for a layer in the legend; nothing for labels and for layers without content.
 std::optional<Entry> entry_of(const Layer& layer) {
-  if (!layer.visible || layer.in_legend == InLegend::No || legend_name(layer).empty() || extent(layer).empty()) {
+  if (!layer.visible || layer.in_legend == InLegend::No || legend_name(layer).empty() || is_empty(layer)) {
     return std::nullopt;
   }
   Entry entry{legend_name(layer), Swatch::Line, layer.style, {}};

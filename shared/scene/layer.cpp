@@ -1,5 +1,7 @@
 #include "shared/scene/layer.h"
 
+#include <algorithm>
+
 namespace dobra::scene {
 namespace {
 
@@ -26,7 +28,24 @@ struct ExtentOf {
   geom::Box operator()(const Image& content) const { return content.box; }
 };
 
+struct IsEmpty {
+  bool operator()(const Lines& content) const {
+    return std::ranges::all_of(content.lines, [](const geom::Polyline& line) { return line.points.empty(); });
+  }
+  bool operator()(const Markers& content) const { return content.points.empty(); }
+  bool operator()(const Regions& content) const {
+    return std::ranges::all_of(content.regions, [](const Region& region) {
+      return std::ranges::all_of(region.contours, [](const geom::Polyline& line) { return line.points.empty(); });
+    });
+  }
+  bool operator()(const Mesh& content) const { return content.points.empty(); }
+  bool operator()(const Labels& content) const { return content.labels.empty(); }
+  bool operator()(const Image& content) const { return content.box.empty(); }
+};
+
 }  // namespace
+
+bool is_empty(const Layer& layer) { return std::visit(IsEmpty{}, layer.content); }
 
 geom::Box extent(const Layer& layer) { return std::visit(ExtentOf{}, layer.content); }
 

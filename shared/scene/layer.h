@@ -197,6 +197,9 @@ struct Picture {
   Paper paper = Paper::ToContent;    ///< Of files only.
 };
 
+/// Whether there is nothing in a layer. @cost O(1) where there is something
+bool is_empty(const Layer& layer);
+
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing.
 geom::Box extent(const Layer& layer);
 

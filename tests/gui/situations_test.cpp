@@ -142,11 +142,13 @@ class Situations : public testing::TestWithParam<Look> {
 };
 
 TEST_P(Situations, TheBeginning) {
-  open("recon/");
-  take("01_beginning_recon");
-  window_.reset();
-  open("quebra/");
-  take("01_beginning_quebra");
+  for (const std::string program : {"recon", "quebra"}) {
+    open(program + "/");
+    take("01_beginning_" + program);
+    act("help.welcome");
+    take("01_welcome_" + program);
+    window_.reset();
+  }
 }
 
 TEST_P(Situations, ARestoredSection) {

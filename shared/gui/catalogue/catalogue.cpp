@@ -42,7 +42,7 @@ base::Error bad_line(qsizetype number, const char* what) {
 
 /// The file of the resources; empty where there is none.
 Catalogue from_resources(const QString& name) {
-  QFile file(":/translations/" + name + ".txt");
+  QFile file(":/translations/" + name);
   if (!file.open(QIODevice::ReadOnly)) return {};
   const base::Result<std::vector<Entry>> entries = read_entries(QString::fromUtf8(file.readAll()));
   DOBRA_CHECK(entries.ok());  // a file of our own, judged by a test
