@@ -222,7 +222,9 @@ void Canvas::show_hint() {
 }
 
 void Canvas::tell_pick(const QString& what) {
-  if (tool_->cursor() == canvas::Cursor::Arrow && said_.isEmpty()) say(what);
+  if (tool_->cursor() != canvas::Cursor::Arrow || !said_.isEmpty()) return;
+  say(what);
+  said_of_pick_ = what;
 }
 
 void Canvas::show_outcome(std::shared_ptr<const scene::Picture> picture) {
@@ -232,6 +234,8 @@ void Canvas::show_outcome(std::shared_ptr<const scene::Picture> picture) {
   picture_ = std::move(picture);
   previewed_ = false;
   use_panel(panel_ < picture_->panels.size() ? panel_ : 0);
+  if (said_ == said_of_pick_) said_.clear();  // its length may be another now
+  show_hint();
 }
 
 void Canvas::show_sheet() {

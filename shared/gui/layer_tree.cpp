@@ -70,7 +70,9 @@ LayerTree::LayerTree(QWidget* parent) : QTreeWidget(parent) {
 void LayerTree::show_picture(const scene::Picture& picture) {
   const scene::Picture wanted = chosen(picture);
   std::vector<Entry> entries = entries_of(wanted);
-  if (entries == shown_) return;  // a run that changes places leaves the tree as it is
+  const QColor back = palette().color(QPalette::Base);
+  if (entries == shown_ && back == back_) return;  // a run that changes places leaves the tree as it is
+  back_ = back;
   shown_ = std::move(entries);
   const QSignalBlocker quiet(this);
   clear();
@@ -84,7 +86,7 @@ void LayerTree::show_picture(const scene::Picture& picture) {
       auto* leaf = new QTreeWidgetItem(branch, {title_of(layer.title, layer.key)});
       leaf->setData(0, key_role, QString::fromStdString(layer.key));
       leaf->setToolTip(0, QString::fromStdString(layer.key));
-      leaf->setIcon(0, swatch_of(layer, palette().color(QPalette::Base)));
+      leaf->setIcon(0, swatch_of(layer, back));
       leaf->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
       leaf->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
     }

@@ -2,6 +2,7 @@
 // The panels and layers of the picture with a check box each. What the user hides or shows stays so, by key, however
 // often the picture is made anew.
 
+#include <QColor>
 #include <QTreeWidget>
 #include <map>
 #include <string>
@@ -56,6 +57,7 @@ class LayerTree : public QTreeWidget {
   void take_change(QTreeWidgetItem* item);
 
   std::map<Key, bool> choices_;
+  QColor back_;  ///< Behind the icons.
   std::vector<Entry> shown_;
 };
 

@@ -147,7 +147,7 @@ void MainWindow::changeEvent(QEvent* event) {
     show_form();
     if (!session_.outcome()) return;
     results_->show_outcome(*session_.outcome());
-    layers_->show_picture(documents::picture_of(*session_.outcome(), shown_));
+    layers_->show_picture(picture_shown());
   });
 }
 
@@ -257,7 +257,8 @@ void MainWindow::showEvent(QShowEvent* event) {
   if (isMaximized() || isFullScreen()) return;
   // What panels need while they are being placed may have made the window larger than the screen.
   layout()->activate();
-  resize(size().boundedTo(screen()->availableSize()));
+  const QSize frame = frameSize() - size();
+  resize(size().boundedTo(screen()->availableSize() - frame));
 }
 
 void MainWindow::childEvent(QChildEvent* event) {

@@ -64,11 +64,27 @@ Color words_on(const Color& color, const Ground& ground) {
   return is_dark(ground) ? seen_on(color, mixed(ground.paper, {255, 255, 255}, 1.0 - cover)) : color;
 }
 
+namespace {
+
+/// A fill that hardly shows on paper hardly shows on the dark.
+Color fill_on(const Color& color, const Ground& ground) {
+  if (!is_dark(ground) || !is_grey(color) || contrast(color, {255, 255, 255}) >= faint) return color;
+  const Color made = mixed(ground.paper, color, 0.12);
+  return {made.red, made.green, made.blue, color.alpha};
+}
+
+}  // namespace
+
 Style style_on(const Layer& layer, const Ground& ground) {
   Style style = layer.style;
   if (!is_dark(ground)) return style;
   const auto* mesh = std::get_if<Mesh>(&layer.content);
   const bool filled = style.fill.has_value() && !std::holds_alternative<Lines>(layer.content);
+  if (std::holds_alternative<Regions>(layer.content) && style.fill && fill_on(*style.fill, ground) != *style.fill) {
+    style.fill = fill_on(*style.fill, ground);
+    style.line = line_on(style.line, ground);
+    return style;
+  }
   // The outline of a fill is seen on the fill.
   if (filled || (mesh != nullptr && mesh->values_at != ValuesAt::None)) return style;
   style.line =
@@ -87,6 +103,8 @@ Mark on_ground(Mark mark, const Ground& ground) {
     if (behind_words) {
       box->fill = ground.paper;
       box->fill->alpha = byte(255.0 * cover);
+    } else if (box->fill) {
+      box->fill = fill_on(*box->fill, ground);
     }
     if (behind_words || !box->fill) box->line = line_on(box->line, ground);
   }

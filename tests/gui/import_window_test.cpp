@@ -197,6 +197,33 @@ TEST_F(ImportWindow, ColumnsAxisAndUnitAreAskedBesideTheFirstRows) {
   EXPECT_TRUE(window.session().outcome()->run.complete()) << text();
 }
 
+TEST_F(ImportWindow, AColumnThatItsHeaderCallsDepthsIsTakenAsDepthsWhenItIsChosen) {
+  const auto file = folder.write("dpe.csv", "E,depth,error\n0,900,1\n100,950,3\n200,1000,2\n");
+  drop({file}, [&](ImportDialog& dialog) {
+    EXPECT_FALSE(can_import(dialog));
+    auto* axis = part<QComboBox>(dialog, "axis");
+    choose(part<QComboBox>(dialog, "height"), "3");
+    EXPECT_EQ(axis->currentData().toString(), "");
+    choose(part<QComboBox>(dialog, "height"), "2");
+    EXPECT_EQ(axis->currentData().toString(), "down");
+    choose(part<QComboBox>(dialog, "height"), "3");
+    EXPECT_EQ(axis->currentData().toString(), "");
+    choose(part<QComboBox>(dialog, "height"), "2");
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    QTest::keyClick(part(dialog, "ok"), Qt::Key_Space);
+  });
+  const auto horizons = scenario::entries_of(window.session().document().input, "horizon");
+  ASSERT_EQ(horizons.size(), 1U) << text();
+  EXPECT_EQ(scenario::text_in(horizons[0], "y_axis"), "down");
+  // Saved, the document names the file from where it stands.
+  std::filesystem::create_directory(file.parent_path() / "sub");
+  ASSERT_TRUE(window.session().save(file.parent_path() / "sub/saved.toml").ok());
+  const auto saved = scenario::entries_of(window.session().document().input, "horizon");
+  EXPECT_EQ(scenario::text_in(saved.at(0), "file"), "../dpe.csv");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.session().busy(); }, 30000));
+  EXPECT_TRUE(window.session().outcome()->run.complete()) << text();
+}
+
 TEST_F(ImportWindow, FilesThatAreDroppedTogetherComeInTogether) {
   const auto a = folder.write("a.csv", "x,z\n0,0\n100,5\n");
   const auto b = folder.write("b.csv", "x,z\n0,-50\n100,-45\n");

@@ -57,24 +57,26 @@ namespace {
 
 using Path = std::filesystem::path;
 
-std::string moved_name(const std::string& name, const Path& from, const Path& to) {
+enum class Absolute { Stays, BecomesRelative };
+
+std::string moved_name(const std::string& name, const Path& from, const Path& to, Absolute absolute) {
   const Path path(name);
-  if (name.empty() || path.is_absolute()) return name;
+  if (name.empty() || (path.is_absolute() && absolute == Absolute::Stays)) return name;
   const Path target = std::filesystem::absolute(from.empty() ? path : from / path).lexically_normal();
   const Path relative =
       target.lexically_relative(std::filesystem::absolute(to.empty() ? Path(".") : to).lexically_normal());
   return (relative.empty() ? target : relative).generic_string();
 }
 
-Table moved_table(Table table, const std::vector<Field>& fields, const Path& from, const Path& to) {
+Table moved_table(Table table, const std::vector<Field>& fields, const Path& from, const Path& to, Absolute absolute) {
   for (const Field& field : fields) {
     const Value* value = table.find(field.key);
     if (value == nullptr) continue;
     if (const auto* name = std::get_if<std::string>(value); name != nullptr && field.kind == scenario::Kind::File) {
-      table.set(field.key, moved_name(*name, from, to));
+      table.set(field.key, moved_name(*name, from, to, absolute));
     } else if (const auto* rows = std::get_if<std::vector<Table>>(value)) {
       std::vector<Table> moved;
-      for (const Table& row : *rows) moved.push_back(moved_table(row, field.fields, from, to));
+      for (const Table& row : *rows) moved.push_back(moved_table(row, field.fields, from, to, absolute));
       table.set(field.key, std::move(moved));
     }
   }
@@ -103,9 +105,11 @@ Document at_file(Document document, const Program& program, const Path& file) {
   const auto same = [](const Path& a) {
     return std::filesystem::absolute(a.empty() ? Path(".") : a).lexically_normal();
   };
-  if (same(from) != same(to)) {
+  // Before it has a place a document can only name files by their whole path.
+  const Absolute absolute = document.file.empty() && !file.empty() ? Absolute::BecomesRelative : Absolute::Stays;
+  if (same(from) != same(to) || absolute == Absolute::BecomesRelative) {
     for (std::size_t part = 0; part <= document.steps.size(); ++part) {
-      Table moved = moved_table(table_of(document, part), fields_of(document, program, part), from, to);
+      Table moved = moved_table(table_of(document, part), fields_of(document, program, part), from, to, absolute);
       document = with_table(std::move(document), part, std::move(moved));
     }
   }

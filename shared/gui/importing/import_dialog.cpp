@@ -378,7 +378,13 @@ void ImportDialog::read_again() {
   if (const auto numbers = numbers_in(corners_->text()); model_.look(file_).picture)
     reading.corners = numbers && numbers->size() == 4 ? *numbers : std::vector<double>();
   preview_->show_look(nullptr, {});  // its look goes
+  if (reading.y_axis != model_.reading(file_).y_axis) axis_chosen_.insert(file_);
   model_.read_as(file_, reading);
+  // Whoever chooses a column of depths means depths; the choice shows it and can be changed.
+  if (const auto& table = model_.look(file_).table; table && reading.height > 0 && !axis_chosen_.contains(file_)) {
+    const std::string meant = table->depth ? "down" : "";
+    if (std::exchange(reading.y_axis, meant) != meant) model_.read_as(file_, reading);
+  }
   list_->show_file(file_);
   show_reading();
   changed();

@@ -67,6 +67,7 @@ class ImportDialog : public QDialog {
   ImportModel model_;
   Wording wording_;
   std::size_t file_ = 0;
+  std::set<std::size_t> axis_chosen_;  ///< Files of which the user has said where heights grow.
   std::optional<scenario::Imported> made_;
   QTimer pause_;
   bool showing_ = false;  ///< The form is being filled: nothing is said by the user.

@@ -9,6 +9,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/lines/line_kinds.h"
+#include "shared/io/lines/text_columns.h"
 #include "shared/io/lines/text_rows.h"
 
 namespace dobra::scenario::lines {
@@ -131,6 +132,8 @@ std::optional<ImportTable> table_of(const std::string& path, const ImportReading
   if (reading.x > 0) table.x = reading.x;
   if (reading.height > 0) table.height = reading.height;
   if (reading.names > 0) table.names = reading.names;
+  table.depth =
+      table.height > 0 && table.height <= table.header.size() && io::lines::says_depth(table.header[table.height - 1]);
   return table;
 }
 

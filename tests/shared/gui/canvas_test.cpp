@@ -95,8 +95,12 @@ TEST_F(CanvasTest, AVertexIsDraggedAndTheEditIsOneStepOfUndo) {
   EXPECT_NEAR(bump(0)[1].x, 500.0, pixel_size());
   EXPECT_NEAR(bump(0)[1].y, 380.0, pixel_size());
   EXPECT_EQ(bump(0)[0], (Point{100, 300}));
+  // What is selected is told with its length of now.
+  const std::string longer = hint();
   window.session().undo();
   EXPECT_EQ(bump(0)[1], (Point{500, 300}));
+  settle();
+  EXPECT_NE(hint(), longer);
   EXPECT_FALSE(window.session().history().can_undo());
 }
 

@@ -70,6 +70,15 @@ TEST(Ground, FaintLinesStayFaint) {
   EXPECT_LT(kept, 2.5);
 }
 
+TEST(Ground, AFillThatPaperHardlyShowsIsHardlyShownOnTheDarkAndSoIsItsSwatch) {
+  const Layer domain{"domain", "domain", Style{{90, 90, 90}, 0.0, Dash::Solid, Color{236, 238, 240}}, Regions{}};
+  const Color fill = *style_on(domain, dark).fill;
+  EXPECT_GT(contrast_of(fill, dark.paper), 1.05);
+  EXPECT_LT(contrast_of(fill, dark.paper), 1.6);
+  EXPECT_EQ(*std::get<BoxMark>(on_ground(BoxMark{{}, Color{236, 238, 240}}, dark)).fill, fill);
+  EXPECT_EQ(style_on(domain, Ground{}), domain.style);
+}
+
 TEST(Ground, FillsAndTheirOutlinesStayAndWhatIsBehindWordsTurnsDark) {
   Layer bed{"bed", "bed", Style{{90, 60, 10}, 1.0, Dash::Solid, Color{240, 220, 150}}, Regions{}};
   EXPECT_EQ(style_on(bed, dark), bed.style);
@@ -77,8 +86,8 @@ TEST(Ground, FillsAndTheirOutlinesStayAndWhatIsBehindWordsTurnsDark) {
   EXPECT_NE(style_on(line, dark), line.style);
   const Mark behind = on_ground(BoxMark{{}, Color{255, 255, 255, 190}}, dark);
   EXPECT_EQ(std::get<BoxMark>(behind).fill->red, 30);
-  const Mark swatch = on_ground(BoxMark{{}, Color{255, 255, 255}}, dark);
-  EXPECT_EQ(std::get<BoxMark>(swatch).fill->red, 255);
+  const Mark swatch = on_ground(BoxMark{{}, Color{240, 220, 150}}, dark);
+  EXPECT_EQ(*std::get<BoxMark>(swatch).fill, *bed.style.fill);
   const Mark frame = on_ground(BoxMark{{}, std::nullopt, Color{60, 60, 60}, 1.0}, dark);
   EXPECT_GE(contrast_of(std::get<BoxMark>(frame).line, dark.paper), 4.5);
 }
