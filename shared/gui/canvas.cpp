@@ -222,19 +222,18 @@ void Canvas::show_hint() {
 }
 
 void Canvas::tell_pick(const QString& what) {
-  if (tool_->cursor() != canvas::Cursor::Arrow || !said_.isEmpty()) return;
-  say(what);
-  said_of_pick_ = what;
+  if (tool_->cursor() == canvas::Cursor::Arrow && said_.isEmpty()) say(what);
 }
 
 void Canvas::show_outcome(std::shared_ptr<const scene::Picture> picture) {
   const documents::OutcomePtr& outcome = session_.outcome();
   if (!outcome || outcome->document != session_.history().current()) return;
+  const bool of_selection = !said_.isEmpty() && said_ == text_of(canvas::selection_text(work_));
   base_ = outcome;
   picture_ = std::move(picture);
   previewed_ = false;
   use_panel(panel_ < picture_->panels.size() ? panel_ : 0);
-  if (said_ == said_of_pick_) said_.clear();  // its length may be another now
+  if (of_selection) said_ = text_of(canvas::selection_text(work_));  // its length may be another now
   show_hint();
 }
 

@@ -138,7 +138,6 @@ class Canvas : public QObject {
   documents::OutcomePtr base_;                     ///< Of the document that is edited; not of an edit under way.
   std::shared_ptr<const scene::Picture> picture_;  ///< What is shown of it.
   QString said_;                                   ///< Stands in the place of the hint.
-  QString said_of_pick_;                           ///< The last of that which told what was clicked.
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
   canvas::Selection told_selection_;
