@@ -111,20 +111,20 @@ void MainWindow::add_look_actions() {
 
 void MainWindow::add_selection_actions() {
   // Elsewhere these keys are those of the text that is typed.
-  const auto add = [this](const char* name, const char* words, QKeySequence keys, void (Canvas::*run)()) {
+  const auto add = [this](const char* name, const char* words, QKeySequence keys, std::function<void()> run) {
     actions_.add({.id = std::string("edit.") + name,
                   .text = words,
                   .menu = "&Edit",
                   .section = "selection",
                   .keys = {keys},
-                  .run = [this, run] { (canvas_->*run)(); },
+                  .run = std::move(run),
                   .scope = view_});
   };
-  if (program_.drawing.edit) add("cut", "Cu&t lines", QKeySequence::Cut, &Canvas::cut);
-  add("copy", "&Copy lines as text", QKeySequence::Copy, &Canvas::copy);
-  if (program_.drawing.add) add("paste", "&Paste lines", QKeySequence::Paste, &Canvas::paste);
-  add("select_all", "Select &all", QKeySequence::SelectAll, &Canvas::select_all);
-  add("invert", "&Invert the selection", QKeySequence(Qt::CTRL | Qt::Key_I), &Canvas::invert_selection);
+  if (program_.drawing.edit) add("cut", "Cu&t lines", QKeySequence::Cut, [this] { canvas_->cut(); });
+  add("copy", "&Copy lines as text", QKeySequence::Copy, [this] { canvas_->copy(); });
+  if (program_.drawing.add) add("paste", "&Paste lines", QKeySequence::Paste, [this] { canvas_->paste(); });
+  add("select_all", "Select &all", QKeySequence::SelectAll, [this] { canvas_->select_all(); });
+  add("invert", "&Invert the selection", QKeySequence(Qt::CTRL | Qt::Key_I), [this] { canvas_->invert_selection(); });
 }
 
 void MainWindow::set_exaggeration(const std::optional<double>& exaggeration) {
