@@ -3968,8 +3968,8 @@
         <translation>Ocultar a camada</translation>
     </message>
     <message>
-        <source>Copied %1 lines; Ctrl+V draws them in any window, and a spreadsheet takes them.</source>
-        <translation>%1 linhas copiadas; Ctrl+V as desenha em qualquer janela, e uma planilha as aceita.</translation>
+        <source>Lines copied: %1; Ctrl+V draws them in any window, and a spreadsheet takes them.</source>
+        <translation>Linhas copiadas: %1; Ctrl+V as desenha em qualquer janela, e uma planilha as aceita.</translation>
     </message>
     <message>
         <source>Cut lines</source>

@@ -462,7 +462,7 @@ void Canvas::copy() {
   const std::vector<canvas::NamedLine> lines = canvas::selected_lines(work_);
   if (lines.empty()) return say(text("Nothing is selected: take up Select (S) and click a line first."));
   QApplication::clipboard()->setText(text_of(canvas::text_of_lines(lines)));
-  say(text("Copied %1 lines; Ctrl+V draws them in any window, and a spreadsheet takes them.").arg(lines.size()));
+  say(text("Lines copied: %1; Ctrl+V draws them in any window, and a spreadsheet takes them.").arg(lines.size()));
 }
 
 void Canvas::cut() {

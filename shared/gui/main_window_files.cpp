@@ -199,11 +199,11 @@ void MainWindow::ask_open() {
 bool MainWindow::ask_save() {
   if (!settle()) return false;
   if (session_.document().file.empty()) return ask_save_as();
-  if (!session_.changed_on_disk()) return save(session_.document().file).ok();
-  QMessageBox box(
-      QMessageBox::Warning, QString::fromStdString(program_.title),
-      text("Another program has changed %1 since it was read here.").arg(from_path(session_.document().file)),
-      QMessageBox::NoButton, this);
+  const std::optional<std::filesystem::path> changed = session_.changed_on_disk();
+  if (!changed) return save(session_.document().file).ok();
+  QMessageBox box(QMessageBox::Warning, QString::fromStdString(program_.title),
+                  text("Another program has changed %1 since it was read here.").arg(from_path(*changed)),
+                  QMessageBox::NoButton, this);
   box.setInformativeText(text("Saving to it loses those changes."));
   const QPushButton* other = box.addButton(text("Save as another file"), QMessageBox::AcceptRole);
   const QPushButton* overwrite = box.addButton(text("Overwrite"), QMessageBox::DestructiveRole);

@@ -102,11 +102,12 @@ void Session::remember_disk() {
   }
 }
 
-bool Session::changed_on_disk() const {
-  return std::any_of(known_.begin(), known_.end(), [](const auto& known) {
-    const base::Result<std::string> now = io::read_bytes(known.first);
-    return now && *now != known.second;
-  });
+std::optional<std::filesystem::path> Session::changed_on_disk() const {
+  for (const auto& [file, bytes] : known_) {
+    const base::Result<std::string> now = io::read_bytes(file);
+    if (now && *now != bytes) return file;
+  }
+  return std::nullopt;
 }
 
 void Session::edit(scenario::Document document, const QString& what) {

@@ -47,8 +47,8 @@ class Session : public QObject {
   /// Waits until the journal is on the disk.
   void wait_for_journal() { journal_.wait(); }
 
-  /// The document's file, or its file of lines, is there, and is not what was last read from it or written to it.
-  [[nodiscard]] bool changed_on_disk() const;
+  /// The document's file, or its file of lines, where it is there and not what was last read from it or written to it.
+  [[nodiscard]] std::optional<std::filesystem::path> changed_on_disk() const;
 
   /// Makes `document` the current one and runs it after a short pause, or behind the run in progress. A
   /// document that lacks what must be given waits for it.

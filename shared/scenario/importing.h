@@ -52,6 +52,7 @@ struct ImportTable {
   std::vector<std::vector<std::string>> rows;
   std::size_t x = 0, height = 0, names = 0;  ///< Columns as they are taken, from 1; 0: none.
   bool depth = false;                        ///< The header calls the column of heights one of depths.
+  bool negative = false;                     ///< No number of that column, in these rows, is above nought.
 };
 
 /// What a file holds, read in one way.

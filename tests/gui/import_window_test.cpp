@@ -206,6 +206,7 @@ TEST_F(ImportWindow, AColumnThatItsHeaderCallsDepthsIsTakenAsDepthsWhenItIsChose
     EXPECT_EQ(axis->currentData().toString(), "");
     choose(part<QComboBox>(dialog, "height"), "2");
     EXPECT_EQ(axis->currentData().toString(), "down");
+    shot(dialog, "import_depths");
     choose(part<QComboBox>(dialog, "height"), "3");
     EXPECT_EQ(axis->currentData().toString(), "");
     choose(part<QComboBox>(dialog, "height"), "2");
@@ -222,6 +223,15 @@ TEST_F(ImportWindow, AColumnThatItsHeaderCallsDepthsIsTakenAsDepthsWhenItIsChose
   EXPECT_EQ(scenario::text_in(saved.at(0), "file"), "../dpe.csv");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window.session().busy(); }, 30000));
   EXPECT_TRUE(window.session().outcome()->run.complete()) << text();
+}
+
+TEST_F(ImportWindow, NegativeDepthsThatAreChosenStayWhatTheFileSays) {
+  const auto file = folder.write("tvdss.csv", "E,depth,error\n0,-900,1\n100,-950,3\n200,-1000,2\n");
+  drop({file}, [&](ImportDialog& dialog) {
+    choose(part<QComboBox>(dialog, "height"), "3");
+    choose(part<QComboBox>(dialog, "height"), "2");
+    EXPECT_EQ(part<QComboBox>(dialog, "axis")->currentData().toString(), "");
+  });
 }
 
 TEST_F(ImportWindow, FilesThatAreDroppedTogetherComeInTogether) {
@@ -402,6 +412,21 @@ TEST_F(ImportWindow, EveryWidgetOfTheDialogHasANameAndIsWhole) {
   });
 }
 
+/// Clicks the line at `on`, and takes one of its vertices along the way; nothing snaps.
+void drag_vertex(MainWindow& window, geom::Point on, const std::vector<geom::Point>& way) {
+  VtkWidget& view = window.view();
+  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
+  QTest::keyClick(&window, Qt::Key_S);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel(on));
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixel(way.front()));
+  for (const geom::Point p : way) {
+    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton,
+                     Qt::AltModifier);
+    QCoreApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel(way.back()));
+}
+
 TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("plate.csv",
@@ -429,17 +454,7 @@ TEST(ImportWindowQuebra, ADrawingIsBroughtInAndItsCurveDragged) {
   ASSERT_NE(window.session().document().input.find("file"), nullptr);
   QCoreApplication::processEvents();
   // The crack's line is selected by a click, its end dragged.
-  VtkWidget& view = window.view();
-  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
-  QTest::keyClick(&window, Qt::Key_S);
-  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({3, 3}));
-  QTest::mousePress(&view, Qt::LeftButton, {}, pixel({4, 3}));
-  for (const geom::Point p : {geom::Point{4.5, 3.5}, geom::Point{5.2, 4.1}}) {
-    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton,
-                     Qt::AltModifier);
-    QCoreApplication::sendEvent(&view, &move);
-  }
-  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({5.2, 4.1}));
+  drag_vertex(window, {3, 3}, {{4, 3}, {4.5, 3.5}, {5.2, 4.1}});
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   const scenario::Table& input = window.session().document().input;
   EXPECT_EQ(input.find("file"), nullptr) << scenario::document_text(window.session().document());
@@ -475,17 +490,7 @@ TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
   const auto quiet = [&] { return !window.session().busy(); };
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   QCoreApplication::processEvents();
-  VtkWidget& view = window.view();
-  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
-  QTest::keyClick(&window, Qt::Key_S);
-  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({3, 3}));
-  QTest::mousePress(&view, Qt::LeftButton, {}, pixel({4, 3}));
-  for (const geom::Point p : {geom::Point{4.5, 3.5}, geom::Point{5.2, 4.1}}) {
-    QMouseEvent move(QEvent::MouseMove, pixel(p), view.mapToGlobal(pixel(p)), Qt::NoButton, Qt::LeftButton,
-                     Qt::AltModifier);
-    QCoreApplication::sendEvent(&view, &move);
-  }
-  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({5.2, 4.1}));
+  drag_vertex(window, {3, 3}, {{4, 3}, {4.5, 3.5}, {5.2, 4.1}});
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   auto* said = window.findChild<QLabel*>("taken_in_bar.words");
   ASSERT_NE(said, nullptr);
@@ -497,12 +502,12 @@ TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
   QTest::mouseClick(window.findChild<QPushButton*>("taken_in_bar.beside"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   EXPECT_FALSE(said->isVisible());
-  QTest::keyClick(&view, Qt::Key_S, Qt::ControlModifier);
+  QTest::keyClick(&window.view(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(folder.read("plate.csv"), source);
   EXPECT_EQ(folder.read("plate.toml").find("points"), std::string::npos) << folder.read("plate.toml");
   EXPECT_NE(folder.read("plate.toml").find("lines_file = \"plate.lines.toml\""), std::string::npos);
   EXPECT_NE(folder.read("plate.lines.toml").find("[[input.crack]]"), std::string::npos);
-  EXPECT_FALSE(window.session().changed_on_disk());
+  EXPECT_EQ(window.session().changed_on_disk(), std::nullopt);
   const std::string report =
       scenario::report_json(window.session().document(), quebra::core::program(), window.session().outcome()->run);
   const auto read = scenario::read_document(file);
@@ -526,9 +531,9 @@ TEST(ImportWindowQuebra, EditedCurvesAreKeptInAFileBesideWhereAskedFor) {
   EXPECT_EQ(lines_of(again), lines_of(window));
   // Another program changes the file beside: that is seen.
   folder.write("plate.lines.toml", folder.read("plate.lines.toml") + "# theirs\n");
-  EXPECT_TRUE(window.session().changed_on_disk());
+  EXPECT_EQ(window.session().changed_on_disk(), folder / "plate.lines.toml");
   // Undone to the end and saved: the first bytes.
-  for (int k = 0; k < 2; ++k) QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
+  for (int k = 0; k < 2; ++k) QTest::keyClick(&window.view(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_FALSE(window.session().history().can_undo());
   ASSERT_TRUE(window.save(file));
   EXPECT_EQ(folder.read("plate.toml"), toml);
@@ -653,20 +658,12 @@ TEST(ImportWindowRecon, AnEditedHorizonOfAFileIsKeptBesideWhereAskedFor) {
   const auto quiet = [&] { return !window.session().busy(); };
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   QCoreApplication::processEvents();
-  VtkWidget& view = window.view();
-  const auto pixel = [&](geom::Point p) { return view.pixel_of(0, p).toPoint(); };
-  QTest::keyClick(&view, Qt::Key_S);
-  QTest::mouseClick(&view, Qt::LeftButton, {}, pixel({250, 30}));
-  QTest::mousePress(&view, Qt::LeftButton, {}, pixel({500, 60}));
-  QMouseEvent move(QEvent::MouseMove, pixel({510, 90}), view.mapToGlobal(pixel({510, 90})), Qt::NoButton,
-                   Qt::LeftButton, Qt::AltModifier);
-  QCoreApplication::sendEvent(&view, &move);
-  QTest::mouseRelease(&view, Qt::LeftButton, Qt::AltModifier, pixel({510, 90}));
+  drag_vertex(window, {250, 30}, {{500, 60}, {510, 90}});
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
   ASSERT_TRUE(window.findChild<QLabel*>("taken_in_bar.words")->isVisible());
   QTest::mouseClick(window.findChild<QPushButton*>("taken_in_bar.beside"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor(quiet, 20000));
-  QTest::keyClick(&view, Qt::Key_S, Qt::ControlModifier);
+  QTest::keyClick(&window.view(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(folder.read("top.csv"), source);
   EXPECT_EQ(folder.read("a.toml").find("points"), std::string::npos) << folder.read("a.toml");
   const std::string beside = folder.read("a.lines.toml");
@@ -677,7 +674,7 @@ TEST(ImportWindowRecon, AnEditedHorizonOfAFileIsKeptBesideWhereAskedFor) {
   ASSERT_TRUE(read) << base::to_string(read.error());
   scenario::Runner runner(recon::core::program());
   EXPECT_EQ(scenario::report_json(*read, recon::core::program(), runner.run(*read)), report);
-  for (int k = 0; k < 2; ++k) QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
+  for (int k = 0; k < 2; ++k) QTest::keyClick(&window.view(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(window.save(file));
   EXPECT_EQ(folder.read("a.toml"), toml);
 }

@@ -380,9 +380,10 @@ void ImportDialog::read_again() {
   preview_->show_look(nullptr, {});  // its look goes
   if (reading.y_axis != model_.reading(file_).y_axis) axis_chosen_.insert(file_);
   model_.read_as(file_, reading);
-  // Whoever chooses a column of depths means depths; the choice shows it and can be changed.
+  // Whoever chooses a column of depths means depths; the choice shows it and can be changed. Negative ones may be
+  // heights.
   if (const auto& table = model_.look(file_).table; table && reading.height > 0 && !axis_chosen_.contains(file_)) {
-    const std::string meant = table->depth ? "down" : "";
+    const std::string meant = table->depth && !table->negative ? "down" : "";
     if (std::exchange(reading.y_axis, meant) != meant) model_.read_as(file_, reading);
   }
   list_->show_file(file_);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/lines/line_kinds.h"
 #include "shared/io/lines/text_columns.h"
@@ -134,6 +135,10 @@ std::optional<ImportTable> table_of(const std::string& path, const ImportReading
   if (reading.names > 0) table.names = reading.names;
   table.depth =
       table.height > 0 && table.height <= table.header.size() && io::lines::says_depth(table.header[table.height - 1]);
+  table.negative = std::ranges::none_of(table.rows, [&](const std::vector<std::string>& row) {
+    return table.height > 0 && table.height <= row.size() &&
+           base::parse_number(row[table.height - 1]).value_or(0.0) > 0;
+  });
   return table;
 }
 
