@@ -188,6 +188,10 @@
         <translation>Salvar o cenário</translation>
     </message>
     <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 já existe. Substituir?</translation>
+    </message>
+    <message>
         <source>Save the picture</source>
         <translation>Salvar a figura</translation>
     </message>

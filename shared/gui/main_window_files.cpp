@@ -39,7 +39,9 @@ constexpr const char* geometry_key = "layout/geometry";
 constexpr const char* state_key = "layout/state";
 constexpr int layout_version = 1;  ///< Of panels and bars: a layout of another version is not taken up.
 
-QString scenario_filter() { return importing::file_filter({{"Scenarios", {".toml"}}}); }
+constexpr const char* scenario_ending = ".toml";
+
+QString scenario_filter() { return importing::file_filter({{"Scenarios", {scenario_ending}}}); }
 
 /// The scenario among what is dragged over the window (empty if there is none), and what else lies on this machine.
 struct Dragged {
@@ -52,12 +54,25 @@ Dragged dragged_files(const QMimeData& data) {
   for (const QUrl& url : data.urls()) {
     if (!url.isLocalFile()) continue;
     const QString file = url.toLocalFile();
-    if (!file.endsWith(".toml", Qt::CaseInsensitive))
+    if (!file.endsWith(scenario_ending, Qt::CaseInsensitive))
       files.others.push_back(to_path(file));
     else if (files.scenario.isEmpty())
       files.scenario = file;
   }
   return files;
+}
+
+/// Asks where to write. A name without an ending gets `ending` before it is asked whether to replace what is there.
+/// @return nothing if the dialog was left.
+std::optional<std::filesystem::path> ask_target(QWidget* window, const QString& title,
+                                                const std::filesystem::path& proposed, const QString& filter,
+                                                const char* ending) {
+  QFileDialog dialog(window, title, from_path(proposed.parent_path()), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(ending);
+  dialog.selectFile(from_path(proposed.filename()));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return std::nullopt;
+  return to_path(dialog.selectedFiles().front());
 }
 
 }  // namespace
@@ -215,11 +230,17 @@ bool MainWindow::ask_save() {
 }
 
 bool MainWindow::ask_save_as() {
-  QString chosen = QFileDialog::getSaveFileName(this, text("Save the scenario"), from_path(session_.document().file),
-                                                scenario_filter());
-  if (chosen.isEmpty()) return false;
-  if (!chosen.endsWith(".toml", Qt::CaseInsensitive)) chosen += ".toml";
-  return save(to_path(chosen)).ok();
+  const scenario::Document& document = session_.document();
+  const std::filesystem::path proposed = document.file.empty() ? document.folder() / "" : document.file;
+  auto chosen = ask_target(this, text("Save the scenario"), proposed, scenario_filter(), scenario_ending);
+  if (!chosen) return false;
+  if (chosen->extension() == scenario_ending) return save(*chosen).ok();
+  *chosen += scenario_ending;  // "fold.v2" has an ending, though not this one: the dialog has not asked about this file
+  if (std::filesystem::exists(*chosen) &&
+      QMessageBox::question(this, text("Save the scenario"),
+                            text("%1 is there already. Replace it?").arg(from_path(*chosen))) != QMessageBox::Yes)
+    return false;
+  return save(*chosen).ok();
 }
 
 void MainWindow::ask_save_picture() {
@@ -227,13 +248,12 @@ void MainWindow::ask_save_picture() {
   std::filesystem::path proposed = session_.document().file;
   if (proposed.empty()) proposed = session_.document().folder() / "picture";
   proposed.replace_extension(endings.front());
-  QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                importing::filter_of({"Pictures", {endings.begin(), endings.end()}}));
-  if (chosen.isEmpty()) return;
-  if (!to_path(chosen).has_extension()) chosen += endings.front();
-  const base::Result<void> written = save_picture(to_path(chosen));
+  const auto chosen = ask_target(this, text("Save the picture"), proposed,
+                                 importing::filter_of({"Pictures", {endings.begin(), endings.end()}}), endings.front());
+  if (!chosen) return;
+  const base::Result<void> written = save_picture(*chosen);
   if (written)
-    status_->show_state(text("Saved %1").arg(chosen));
+    status_->show_state(text("Saved %1").arg(from_path(*chosen)));
   else
     show_error(written.error());
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shared/gui/documents/edit.h"
+
 namespace dobra::gui {
 
 namespace {
@@ -24,7 +26,7 @@ Player::Player(Session& session, QObject* parent) : QObject(parent), session_(se
 
 bool Player::can_watch(std::size_t part) const {
   const scenario::Document& document = session_.document();
-  if (part == 0 || part > document.steps.size()) return false;
+  if (part == 0 || part > document.steps.size() || documents::is_blank(document, session_.program())) return false;
   const scenario::Operation* operation = session_.program().find_operation(document.steps[part - 1].operation);
   return operation != nullptr && !operation->stop_after.empty();
 }

@@ -17,7 +17,7 @@ class Player : public QObject {
   /// @pre `session` outlives the player.
   explicit Player(Session& session, QObject* parent = nullptr);
 
-  /// Whether the operation of a part of the document can be watched.
+  /// Whether the operation of a part of the document can be watched: it stops where asked, and there is an input.
   [[nodiscard]] bool can_watch(std::size_t part) const;
   [[nodiscard]] bool playing() const { return playing_; }
   /// A picture of unfinished work is shown, or on its way.

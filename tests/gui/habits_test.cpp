@@ -108,6 +108,29 @@ TEST_P(Habits, AnExampleOpenedAsACopyFindsItsFiles) {
   judge_run("saved");
 }
 
+/// An operation that can be watched, over an input in which nothing is yet.
+TEST_P(Habits, NothingIsWatchedWhereThereIsNothingYet) {
+  open();
+  const std::size_t part = session().document().steps.size();
+  const bool watched = window_->player().can_watch(part);
+  scenario::Document document = session().document();
+  document.input = {};
+  document.steps.assign(1, {});
+  document.steps[0].operation = "offset";
+  session().edit(std::move(document), "Empty it");
+  come_to_rest();
+  window_->select(1);
+  EXPECT_FALSE(window_->player().can_watch(1));
+  for (const int key : {Qt::Key_F7, Qt::Key_F6}) {
+    QTest::keyClick(window_.get(), static_cast<Qt::Key>(key));
+    come_to_rest();
+    EXPECT_FALSE(window_->player().watching());
+  }
+  session().undo();
+  come_to_rest();
+  EXPECT_EQ(window_->player().can_watch(part), watched);
+}
+
 TEST_P(Habits, AMonkeyDoesNoHarm) {
   const int count = number_of("DOBRA_MONKEY", 150);
   const auto seed = static_cast<std::uint32_t>(number_of("DOBRA_SEED", 1));

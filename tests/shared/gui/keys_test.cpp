@@ -3,7 +3,9 @@
 #include <QAccessible>
 #include <QAction>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
@@ -451,6 +453,36 @@ TEST_F(Keys, AnEditElsewhereKeepsWhatIsHalfTyped) {
   QTest::keyClicks(focus(), "ds");
   press(Qt::Key_Return);
   EXPECT_EQ(*stack().find("note"), scenario::Value(std::string("words")));
+}
+
+/// The ending that the dialog or the window adds makes another file of what was typed: nothing there is lost unasked.
+TEST_F(Keys, SavingUnderATypedNameReplacesNothingUnasked) {
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  for (const char* typed : {"other", "other.v2"}) {
+    open_waves();
+    const std::filesystem::path there = folder.write(std::string(typed) + ".toml", "not to be lost");
+    int asked = 0;
+    QTimer person;
+    QObject::connect(&person, &QTimer::timeout, [&] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        ++asked;
+        QTest::mouseClick(box->button(QMessageBox::No), Qt::LeftButton);
+      } else if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+        if (asked > 0) return dialog->reject();
+        auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+        name->setText(QString::fromStdString((folder / typed).string()));
+        // Not from within this timer, which would be silent until the box that comes up is answered.
+        QMetaObject::invokeMethod(
+            name, [name] { QTest::keyClick(name, Qt::Key_Return); }, Qt::QueuedConnection);
+      }
+    });
+    person.start(50);
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 5000));
+    press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(asked, 1) << typed;
+    EXPECT_EQ(folder.read(there.filename().string()), "not to be lost");
+  }
 }
 
 }  // namespace
