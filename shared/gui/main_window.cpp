@@ -76,7 +76,10 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about, std:
   show_document();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  hide();  // what loses the focus tells what was typed there, while all that hears it is alive
+  for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
 
 void MainWindow::make_center() {
   auto* center = new QWidget(this);

@@ -131,6 +131,24 @@ TEST_P(Habits, NothingIsWatchedWhereThereIsNothingYet) {
   EXPECT_EQ(window_->player().can_watch(part), watched);
 }
 
+/// A window that goes while something is being typed in it. The sanitizers judge.
+TEST_P(Habits, TheWindowGoesWhateverHasTheFocus) {
+  for (const int what : {0, 1, 2}) {
+    open();
+    QWidget* field = what == 0   ? window_->findChild<QWidget*>("exaggeration")
+                     : what == 1 ? window_->form().findChild<QLineEdit*>()
+                                 : static_cast<QWidget*>(&window_->view());
+    ASSERT_NE(field, nullptr);
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 5000));
+    field->setFocus();
+    QTest::keyClicks(QApplication::focusWidget(), "7");
+    window_ = std::make_unique<gui::MainWindow>(test::program_of(GetParam()));
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 20000));
+  }
+}
+
 TEST_P(Habits, AMonkeyDoesNoHarm) {
   const int count = number_of("DOBRA_MONKEY", 150);
   const auto seed = static_cast<std::uint32_t>(number_of("DOBRA_SEED", 1));
