@@ -8,6 +8,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -62,6 +63,101 @@ TEST_P(Windows, GUI_b_WhatWasDoneInTheWindowTheCommandLineRepeatsToTheByte) {
   EXPECT_TRUE(code == 0 || code == 1) << code;
   EXPECT_EQ(read("out/report.json"), read("window.json"));
 }
+
+/// What the window found and what the command line finds, compared byte by byte: every example and three large
+/// sections or meshes.
+class Reports : public Windows {
+ protected:
+  /// In `folder`, with its files beside it.
+  void compare(const std::string& document) {
+    const std::string name = GetParam();
+    const std::string script =
+        write("script.txt", "wait\nreport " + path("window.json") + "\nscreenshot " + path("shot.png") + "\nquit\n");
+    std::filesystem::remove(path("window.json"));
+    std::filesystem::remove_all(path("out"));
+    ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + script), 0) << document;
+    const int code = run("env -u DISPLAY " + program(name) + " run " + document + " --quiet --out " + path("out"));
+    ASSERT_EQ(code, 0) << document;
+    EXPECT_GT(read("window.json").size(), 500u) << document;
+    EXPECT_EQ(read("window.json"), read("out/report.json")) << document;
+    EXPECT_GT(read("shot.png").size(), 10000u) << document;
+  }
+  /// Horizons over 10 km that fold and ripple, each as a list of points.
+  static std::string section(int horizons, int points) {
+    std::string text = "dobra = 1\nprogram = \"recon\"\n[input]\n";
+    for (int k = 0; k < horizons; ++k) {
+      text += "[[input.horizon]]\nname = \"h" + std::to_string(k) + "\"\npoints = [";
+      for (int i = 0; i < points; ++i) {
+        const double x = 10000.0 * i / (points - 1);
+        const double z = 200.0 * std::sin(x / 900.0) + 3.0 * std::sin(0.4 * i + k) - 2000.0 * k / horizons;
+        text += (i == 0 ? "[" : ", [") + std::to_string(x) + ", " + std::to_string(z) + "]";
+      }
+      text += "]\n";
+    }
+    return text;
+  }
+  static std::string restored(const std::string& method) {
+    return "[[step]]\noperation = \"grid\"\ntop = \"h0\"\n[[step]]\noperation = \"target\"\npin = 0.0\n[[step]]\n"
+           "operation = \"restore\"\nmethod = \"" +
+           method + "\"\n";
+  }
+  static std::string plate(const std::string& more) {
+    return "dobra = 1\nprogram = \"quebra\"\n[input]\n[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
+           "points = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]\n" +
+           more;
+  }
+  static std::string holes(int along) {
+    std::string text;
+    for (int i = 0; i < along * along; ++i) {
+      const double step = 10.0 / along;
+      text += "[[input.curve]]\nname = \"hole" + std::to_string(i) + "\"\nkind = \"circle\"\ncentre = [" +
+              std::to_string(step * (0.5 + i % along)) + ", " + std::to_string(step * (0.5 + i / along)) +
+              "]\nradius = " + std::to_string(0.25 * step) + "\n";
+    }
+    return text;
+  }
+  static std::string cracks(int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+      const double y = 10.0 * (i + 0.5) / count;
+      text += "[[input.crack]]\nname = \"crack" + std::to_string(i) + "\"\npoints = [[" + (i % 2 == 0 ? "0.0" : "2.0") +
+              ", " + std::to_string(y) + "], [" + std::to_string(4.0 + 0.1 * i) + ", " + std::to_string(y + 0.1) +
+              "]]\n";
+    }
+    return text;
+  }
+};
+
+TEST_P(Reports, GUI_b_OfEveryExampleAreTheSameInWindowAndCommandLine) {
+  const std::string name = GetParam();
+  std::filesystem::copy(example(name).parent_path(), path("example"));
+  int examples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path("example"))) {
+    if (entry.path().extension() != ".toml") continue;
+    ++examples;
+    compare(entry.path().string());
+  }
+  EXPECT_GE(examples, 3);
+}
+
+TEST_P(Reports, GUI_b_OfLargeInputsAreTheSameInWindowAndCommandLine) {
+  const bool recon = GetParam() == std::string("recon");
+  const std::vector<std::string> inputs =
+      recon ? std::vector<std::string>{section(10, 1000) + restored("shear"), section(60, 300) + restored("constant"),
+                                       section(5, 800) + restored("proportional") + restored("constant")}
+            : std::vector<std::string>{
+                  plate(holes(12)) + "[[step]]\noperation = \"mesh\"\nsize = 0.1\n",
+                  plate(cracks(20)) + "[[step]]\noperation = \"mesh\"\nsize = 0.15\norder = \"2\"\n",
+                  plate("[[input.region]]\nname = \"steel\"\npoint = [5.0, 5.0]\n") +
+                      "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n"
+                      "[[step.support]]\nwhere = \"plate\"\nx = 0.0\ny = 0.0\n[[step.load]]\nkind = \"body\"\nwhere = "
+                      "\"steel\"\ny = -1.0\n[[step]]\noperation = \"mesh\"\nsize = 0.08\n[[step]]\noperation = "
+                      "\"analyse\"\n"};
+  int number = 0;
+  for (const std::string& input : inputs) compare(write("large" + std::to_string(++number) + ".toml", input));
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Reports, testing::Values("recon", "quebra"));
 
 TEST_P(Windows, GUI_d_SavedAndSavedAgainIsTheSame) {
   const std::string name = GetParam();
