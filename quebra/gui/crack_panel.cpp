@@ -115,9 +115,9 @@ void CrackPanel::show_rows() {
     for (std::size_t c = 0; c < model->domain.curves.size(); ++c) {
       const sketch::Curve& crack = model->domain.curves[c];
       if (crack.role != sketch::Role::Crack) continue;
-      auto* row = new QTreeWidgetItem(
-          rows_, {QString::fromStdString(crack.name), number(units.from_si(sketch::length(crack), "m")),
-                  number(direction_of(crack))});
+      auto* row =
+          new QTreeWidgetItem(rows_, {QString::fromStdString(crack.name),
+                                      number(units.from_si(sketch::length(crack), "m")), number(direction_of(crack))});
       row->setData(0, curve_role, static_cast<int>(c));
       if (analysed == nullptr || load >= analysed->tips.size()) continue;
       for (const fem::fracture::TipResult& tip : analysed->tips[load]) {
@@ -148,7 +148,8 @@ void CrackPanel::select_crack() {
   if (desk_.canvas.workspace().line(pick) != nullptr) {
     desk_.canvas.choose({{pick, {}}});
   } else {
-    desk_.canvas.say(text("This picture does not show the crack; look at the input (Ctrl+1), or show the layer of cracks."));
+    desk_.canvas.say(
+        text("This picture does not show the crack; look at the input (Ctrl+1), or show the layer of cracks."));
   }
   following_ = false;
 }
@@ -160,8 +161,7 @@ void CrackPanel::follow_selection() {
   following_ = true;
   for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = rows_->topLevelItem(i);
-    const bool chosen =
-        any && row->data(0, curve_role).toInt() == static_cast<int>(work.selection.begin()->first.id);
+    const bool chosen = any && row->data(0, curve_role).toInt() == static_cast<int>(work.selection.begin()->first.id);
     row->setSelected(chosen);
     if (chosen) rows_->setCurrentItem(row);
   }

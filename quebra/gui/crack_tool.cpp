@@ -30,9 +30,9 @@ using geom::Point;
 struct OnCurve {
   std::size_t curve = 0;
   double s = 0.0;
-  Point at;                 ///< As the picture has it.
-  geom::Vector along;       ///< Unit tangent.
-  double distance = 0.0;    ///< On the page, of the picture's metres along x.
+  Point at;               ///< As the picture has it.
+  geom::Vector along;     ///< Unit tangent.
+  double distance = 0.0;  ///< On the page, of the picture's metres along x.
 };
 
 class CrackTool final : public canvas::Tool {
@@ -40,8 +40,7 @@ class CrackTool final : public canvas::Tool {
   explicit CrackTool(const dobra::gui::Desk& desk) : session_(desk.session) {}
 
   [[nodiscard]] std::string hint() const override {
-    if (points_.empty())
-      return translated("Click where the crack begins; near the border it begins on the border");
+    if (points_.empty()) return translated("Click where the crack begins; near the border it begins on the border");
     return translated("Click the next point, or type @d<angle; Enter ends the crack, Backspace takes a point back");
   }
 
@@ -86,8 +85,8 @@ class CrackTool final : public canvas::Tool {
     if (way.points.back() != cursor_) way.points.push_back(cursor_);
     overlay.handles = way.points;
     if (way.points.size() < 2) return overlay;
-    std::string told = fmt::format(fmt::runtime(translated("{:.6g} {} long")), geom::length(way) / work.unit.size,
-                                   work.unit.name);
+    std::string told =
+        fmt::format(fmt::runtime(translated("{:.6g} {} long")), geom::length(way) / work.unit.size, work.unit.name);
     if (border_) {
       told += '\n' + fmt::format(fmt::runtime(translated("{:.1f}° to the border")),
                                  angle_between(way.points[1] - way.points[0], border_->along));
@@ -114,7 +113,8 @@ class CrackTool final : public canvas::Tool {
     const Point wanted = pointer.place();
     const model::Model* model = input();
     if (model == nullptr) return {wanted, std::nullopt};
-    // What the cursor is drawn to already may be a corner, or where another crack ends: it stays, if it is on the border.
+    // What the cursor is drawn to already may be a corner, or where another crack ends: it stays, if it is on the
+    // border.
     const double near = 1e-6 * model->units.from_si(model->domain.box().diagonal(), "m");
     if (auto there = nearest(*model, wanted, pointer.exaggeration); there && there->distance <= near)
       return {pointer.snap && pointer.snap->kind == canvas::SnapKind::Vertex ? wanted : there->at, there};
@@ -137,8 +137,11 @@ class CrackTool final : public canvas::Tool {
       const double s = nearest_distance(curve, page);
       const Point at = sketch::point(curve, s);
       if (found && page(at) >= found->distance) continue;
-      found = OnCurve{c, s, {model.units.from_si(at.x, "m"), model.units.from_si(at.y, "m")},
-                      sketch::direction(curve, s), page(at)};
+      found = OnCurve{c,
+                      s,
+                      {model.units.from_si(at.x, "m"), model.units.from_si(at.y, "m")},
+                      sketch::direction(curve, s),
+                      page(at)};
     }
     return found;
   }

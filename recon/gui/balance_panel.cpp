@@ -148,8 +148,9 @@ void BalancePanel::select_lines() {
 void BalancePanel::follow_selection() {
   if (following_) return;
   const canvas::Workspace& work = desk_.canvas.workspace();
-  const QString name =
-      work.empty() || work.selection.empty() ? QString() : QString::fromStdString(work.title(work.selection.begin()->first));
+  const QString name = work.empty() || work.selection.empty()
+                           ? QString()
+                           : QString::fromStdString(work.title(work.selection.begin()->first));
   following_ = true;
   for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = rows_->topLevelItem(i);

@@ -85,8 +85,8 @@ class PinTool final : public canvas::Tool {
     canvas::show_selection(work, overlay);
     if (!held_) return overlay;
     overlay.handles.push_back(at_);
-    overlay.texts.push_back({at_, canvas::with_decimal_mark(fmt::format("x = {:.6g} {}", at_.x / work.unit.size,
-                                                                        work.unit.name))});
+    overlay.texts.push_back(
+        {at_, canvas::with_decimal_mark(fmt::format("x = {:.6g} {}", at_.x / work.unit.size, work.unit.name))});
     return overlay;
   }
 
@@ -108,9 +108,9 @@ class PinTool final : public canvas::Tool {
       const section::Horizon* top = section::find_horizon(before.section, before.source->top);
       if (top != nullptr) return Held{step, top->line};
     }
-    say(canvas::Told{targets == 0
-                         ? translated("There is nothing to pin: the scenario has no step 'Target'.")
-                         : translated("The pin stands on the section that is restored; press there, in its own panel.")});
+    say(canvas::Told{
+        targets == 0 ? translated("There is nothing to pin: the scenario has no step 'Target'.")
+                     : translated("The pin stands on the section that is restored; press there, in its own panel.")});
     return std::nullopt;
   }
 
@@ -153,11 +153,10 @@ class PinTool final : public canvas::Tool {
 std::unique_ptr<canvas::Tool> make_pin_tool(const dobra::gui::Desk& desk) { return std::make_unique<PinTool>(desk); }
 
 void draw_pin(QPainter& painter) {
-  painter.drawPolyline(QPolygonF({{3, 12}, {8, 9}, {16, 15}, {21, 12}}));
-  painter.drawPolyline(QPolygonF({{3, 19}, {8, 16}, {16, 22}, {21, 19}}));
-  painter.drawLine(QPointF(12, 6), QPointF(12, 21));
+  painter.drawPolyline(QPolygonF({{2, 15}, {7, 12}, {17, 18}, {22, 15}}));
+  painter.drawLine(QPointF(12, 8), QPointF(12, 22));
   painter.setBrush(painter.pen().color());
-  painter.drawEllipse(QPointF(12, 4), 2.2, 2.2);
+  painter.drawPolygon(QPolygonF({{8, 2}, {16, 2}, {12, 8}}));
 }
 
 }  // namespace recon::gui

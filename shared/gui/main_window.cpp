@@ -21,6 +21,7 @@
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
+#include "shared/gui/heard/boxes.h"
 #include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
@@ -58,6 +59,7 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
 
 MainWindow::MainWindow(const scenario::Program& program, WindowPart part)
     : program_(program), part_(std::move(part)), session_(program), player_(session_), actions_(*this) {
+  heard::name_boxes();
   theme::apply(kept_theme());
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);

@@ -58,11 +58,10 @@ class ProgramWindow {
     window_->view().setFocus();
     QCoreApplication::processEvents();
   }
-  void press(Qt::Key key, Qt::KeyboardModifiers held = {}) {
-    QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window_.get(), key, held);
-  }
+  QWidget* focused() { return QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window_.get(); }
+  void press(Qt::Key key, Qt::KeyboardModifiers held = {}) { QTest::keyClick(focused(), key, held); }
   void write_keys(const char* typed) {
-    for (const char c : std::string(typed)) QTest::keyClick(QApplication::focusWidget(), c);
+    for (const char c : std::string(typed)) QTest::keyClick(focused(), c);
   }
   std::size_t panel(const std::string& key) {
     const auto& panels = window_->session().outcome()->picture->panels;

@@ -133,9 +133,9 @@ TEST(CrackTool, TakesTypedLengthsAndAngles) {
 /// A document in millimetres has its crack in millimetres, and the specimen's own crack keeps its name.
 TEST(CrackTool, InOtherUnitsAndBesideASpecimen) {
   test::ProgramWindow window("quebra/plate_with_hole.toml");
-  window.open(window.write(
-      "mm.toml", "dobra = 1\nprogram = \"quebra\"\nunit_system = \"mm, N, MPa\"\n\n[input]\nspecimen = "
-                 "\"single_edge_notch\"\nwidth = 1000.0\nheight = 3000.0\ncrack_length = 500.0\n"));
+  window.open(window.write("mm.toml",
+                           "dobra = 1\nprogram = \"quebra\"\nunit_system = \"mm, N, MPa\"\n\n[input]\nspecimen = "
+                           "\"single_edge_notch\"\nwidth = 1000.0\nheight = 3000.0\ncrack_length = 500.0\n"));
   ASSERT_FALSE(window->session().outcome()->run.error)
       << dobra::base::to_string(*window->session().outcome()->run.error);
   window.focus();

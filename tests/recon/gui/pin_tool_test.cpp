@@ -27,7 +27,8 @@ std::string report(test::ProgramWindow& window) {
 /// What the mouse has told so far, as the status bar shows it.
 QString hint(test::ProgramWindow& window) {
   QString all;
-  for (const QLabel* each : window->findChild<dobra::gui::StatusLine*>()->findChildren<QLabel*>()) all += each->text() + "\n";
+  for (const QLabel* each : window->findChild<dobra::gui::StatusLine*>()->findChildren<QLabel*>())
+    all += each->text() + "\n";
   return all;
 }
 
