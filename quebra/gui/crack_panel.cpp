@@ -6,7 +6,9 @@
 #include <QLocale>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "quebra/analysis/analysis.h"
@@ -81,6 +83,17 @@ CrackPanel::CrackPanel(const dobra::gui::Desk& desk, QWidget* parent) : QWidget(
 }
 
 void CrackPanel::show_outcome() {
+  stale_ = true;
+  if (isVisible()) fill();
+}
+
+void CrackPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (stale_) fill();
+}
+
+void CrackPanel::fill() {
+  stale_ = false;
   const model::Model* model = last_model(desk_.session);
   const analysis::Analysis* analysed = model == nullptr ? nullptr : analysed_tips(*model);
   QStringList cases;
@@ -107,11 +120,15 @@ void CrackPanel::show_rows() {
   rows_->setVisible(any);
   if (any) {
     const scenario::UnitSystem& units = model->units;
-    const QString k = QString(" [%1]").arg(QString::fromStdString(units.unit("Pa sqrt(m)")));
-    rows_->setHeaderLabels({text("Crack"), text("Length") + QString(" [%1]").arg(units.length_unit().c_str()),
-                            text("Direction") + " [°]", "K_I" + k, "K_II" + k});
+    const QString k = QString("\n[%1]").arg(QString::fromStdString(units.unit("Pa sqrt(m)")));
+    rows_->setHeaderLabels({text("Crack"), text("Length") + QString("\n[%1]").arg(units.length_unit().c_str()),
+                            text("Direction") + QString::fromUtf8("\n[°]"), "K_I" + k, "K_II" + k});
     const analysis::Analysis* analysed = analysed_tips(*model);
     const auto load = static_cast<std::size_t>(std::max(cases_->currentIndex(), 0));
+    std::map<std::string, const fem::fracture::TipResult*> tips;
+    if (analysed != nullptr && load < analysed->tips.size()) {
+      for (const fem::fracture::TipResult& tip : analysed->tips[load]) tips.emplace(tip.name, &tip);
+    }
     for (std::size_t c = 0; c < model->domain.curves.size(); ++c) {
       const sketch::Curve& crack = model->domain.curves[c];
       if (crack.role != sketch::Role::Crack) continue;
@@ -119,9 +136,10 @@ void CrackPanel::show_rows() {
           new QTreeWidgetItem(rows_, {QString::fromStdString(crack.name),
                                       number(units.from_si(sketch::length(crack), "m")), number(direction_of(crack))});
       row->setData(0, curve_role, static_cast<int>(c));
-      if (analysed == nullptr || load >= analysed->tips.size()) continue;
-      for (const fem::fracture::TipResult& tip : analysed->tips[load]) {
-        if (tip.name != crack.name + "_start" && tip.name != crack.name + "_end") continue;
+      for (const char* end : {"_start", "_end"}) {
+        const auto found = tips.find(crack.name + end);
+        if (found == tips.end()) continue;
+        const fem::fracture::TipResult& tip = *found->second;
         auto* at = new QTreeWidgetItem(row, {QString::fromStdString(tip.name)});
         at->setData(0, curve_role, static_cast<int>(c));
         if (tip.refused) {

@@ -18,8 +18,13 @@ class CrackPanel : public QWidget {
  public:
   CrackPanel(const dobra::gui::Desk& desk, QWidget* parent);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  /// Fills the rows once they can be seen.
   void show_outcome();
+  void fill();
   void show_rows();
   void select_crack();
   /// The row of what is selected on the canvas.
@@ -30,6 +35,7 @@ class CrackPanel : public QWidget {
   QLabel* none_ = nullptr;
   QTreeWidget* rows_ = nullptr;
   bool following_ = false;
+  bool stale_ = true;
 };
 
 }  // namespace quebra::gui

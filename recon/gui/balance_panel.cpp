@@ -54,11 +54,14 @@ BalancePanel::BalancePanel(const dobra::gui::Desk& desk, QWidget* parent) : QWid
   rows_ = new QTreeWidget(this);
   rows_->setObjectName("balance.rows");
   rows_->setAccessibleName(text("Balance"));
-  rows_->setHeaderLabels({text("Bed or unit"), text("Before"), text("After"), text("Changed by")});
+  rows_->setHeaderLabels({text("Bed or unit"), text("Changed by"), text("Before"), text("After")});
   rows_->setRootIsDecorated(false);
   rows_->setUniformRowHeights(true);
   rows_->header()->setStretchLastSection(false);
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  rows_->header()->setMinimumSectionSize(rows_->fontMetrics().horizontalAdvance("-00.00 %"));
+  rows_->setTextElideMode(Qt::ElideMiddle);
+  rows_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   column->addWidget(states_);
   column->addWidget(verdict_);
   column->addWidget(rows_, 1);
@@ -74,6 +77,17 @@ BalancePanel::BalancePanel(const dobra::gui::Desk& desk, QWidget* parent) : QWid
 }
 
 void BalancePanel::show_outcome() {
+  stale_ = true;
+  if (isVisible()) fill();
+}
+
+void BalancePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (stale_) fill();
+}
+
+void BalancePanel::fill() {
+  stale_ = false;
   const model::Model* last = last_model(desk_.session);
   show_states(last == nullptr ? 0 : model::restored_stages(*last).size());
   show_rows();
@@ -121,15 +135,15 @@ void BalancePanel::add_rows(const std::vector<model::Compared>& rows, const char
     const QString name = QString::fromStdString(row.name);
     const QString size = QString::fromUtf8(" ") + unit;
     auto* item = new QTreeWidgetItem(
-        rows_, {name, number(row.before) + size, number(row.after) + size, percent(row.change_percent())});
+        rows_, {name, percent(row.change_percent()), number(row.before) + size, number(row.after) + size});
     for (int column = 1; column < item->columnCount(); ++column)
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const bool judged = row.role == section::BedRole::Judged;
-    item->setToolTip(0, judged ? text(what) : text(what) + text(" (not judged)"));
+    item->setToolTip(0, name + "\n" + (judged ? text(what) : text(what) + text(" (not judged)")));
     if (unit == std::string("m")) item->setData(0, name_role, name);
     if (!judged || !(std::abs(row.change_percent()) > tolerance)) continue;
     item->setIcon(0, dobra::gui::theme::icon(dobra::gui::theme::Symbol::Warning));
-    item->setData(3, Qt::AccessibleDescriptionRole, text("beyond the tolerance"));
+    item->setData(1, Qt::AccessibleDescriptionRole, text("beyond the tolerance"));
   }
 }
 

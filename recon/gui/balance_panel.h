@@ -18,8 +18,13 @@ class BalancePanel : public QWidget {
  public:
   BalancePanel(const dobra::gui::Desk& desk, QWidget* parent);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  /// Fills the rows once they can be seen.
   void show_outcome();
+  void fill();
   void show_states(std::size_t count);
   void show_rows();
   void add_rows(const std::vector<model::Compared>& rows, const char* what, const char* unit, double tolerance);
@@ -33,6 +38,7 @@ class BalancePanel : public QWidget {
   QLabel* verdict_ = nullptr;
   QTreeWidget* rows_ = nullptr;
   bool following_ = false;
+  bool stale_ = true;
 };
 
 }  // namespace recon::gui

@@ -41,9 +41,9 @@ TEST(BalancePanel, ShowsTheLengthsThatTheReportHas) {
     const std::string prefix = std::string("horizon.") + bed;
     const double before = quantity(window, prefix + ".length_before");
     const double after = quantity(window, prefix + ".length_after");
-    EXPECT_NEAR(number_in(row->text(1)), before, 0.01) << bed;
-    EXPECT_NEAR(number_in(row->text(2)), after, 0.01) << bed;
-    EXPECT_NEAR(number_in(row->text(3)), 100.0 * (after - before) / before, 0.01) << bed;
+    EXPECT_NEAR(number_in(row->text(2)), before, 0.01) << bed;
+    EXPECT_NEAR(number_in(row->text(3)), after, 0.01) << bed;
+    EXPECT_NEAR(number_in(row->text(1)), 100.0 * (after - before) / before, 0.01) << bed;
     // The scenario tolerates 2 %, and only the three lower beds are beyond: 6605 to 6798 is 2.9 %.
     EXPECT_EQ(row->icon(0).isNull(), std::abs(100.0 * (after - before) / before) <= 2.0) << bed;
   }
@@ -90,8 +90,8 @@ TEST(BalancePanel, OfAChainEachStageIsCompared) {
   ASSERT_TRUE(states->isVisible());
   ASSERT_EQ(states->count(), 3);
   const QString bed = rows->topLevelItem(0)->text(0);
-  const auto after = [&] { return number_in(row_of(*rows, bed)->text(2)); };
-  const auto before = [&] { return number_in(row_of(*rows, bed)->text(1)); };
+  const auto after = [&] { return number_in(row_of(*rows, bed)->text(3)); };
+  const auto before = [&] { return number_in(row_of(*rows, bed)->text(2)); };
   const double first = before();
   const double last = after();
   states->setFocus();
