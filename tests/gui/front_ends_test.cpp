@@ -122,6 +122,27 @@ TEST(FrontEnds, GUI_b_ACurveDrawnWithTheMouseIsWhatTheCommandAddsAndUndoRestores
   EXPECT_EQ(report_of(window), dump);
 }
 
+/// A step that waits for its input has nothing to show: the keys do nothing, and nothing is lost.
+TEST(FrontEnds, AStepWithoutAnInputIsNotWatched) {
+  for (const auto& [example, operation] :
+       {std::pair("quebra/plate_with_hole.toml", "mesh"), std::pair("recon/fold.toml", "offset")}) {
+    test::ProgramWindow window(example);
+    window.open();
+    window->begin_new();
+    ASSERT_TRUE(window->actions().trigger(std::string("step.add.") + operation));
+    window.come_to_rest();
+    const std::string before = window.text();
+    window.focus();
+    for (const Qt::Key key : {Qt::Key_F6, Qt::Key_F7, Qt::Key_F9}) {
+      window.press(key);
+      window.come_to_rest();
+      EXPECT_FALSE(window->player().watching()) << example;
+    }
+    EXPECT_FALSE(window->actions().find("run.step")->isEnabled()) << example;
+    EXPECT_EQ(window.text(), before);
+  }
+}
+
 class FrontEndsOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(FrontEndsOf, GUI_d_SavedReopenedAndSavedAgainIsTheSameFile) {
