@@ -1,22 +1,37 @@
 #include "recon/gui/window.h"
 
 #include "recon/core/operations.h"
+#include "recon/gui/balance_panel.h"
+#include "recon/gui/pin_tool.h"
+#include "shared/gui/window_part.h"
 
 namespace recon::gui {
 
+dobra::gui::WindowPart window_part() {
+  return {.about = "Restores deformed geological sections.",
+          .examples =
+              {
+                  {"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."},
+                  {"chain.toml", "Flattened and folded again", "A chain of two restorations, there and back."},
+                  {"listric.toml", "Two listric faults", "Normal faults undone by vertical shear, the younger first."},
+                  {"thrust.toml", "Thrust with a ramp", "A fault-bend fold moved back along its thrust."},
+                  {"cosine.toml", "Cosine fold", "Offset curves of a fold, flattened."},
+              },
+          .tools = {{.name = "pin",
+                     .text = "Pin",
+                     .help = "Drag the place where the top is held; the restoration follows",
+                     .icon = draw_pin,
+                     .key = QKeySequence(Qt::Key_N),
+                     .make = make_pin_tool}},
+          .panels = {{.name = "balance",
+                      .title = "Balance",
+                      .make = [](const dobra::gui::Desk& desk, QWidget* parent) -> QWidget* {
+                        return new BalancePanel(desk, parent);
+                      }}}};
+}
+
 int run_window(const std::optional<std::filesystem::path>& file, const dobra::gui::WindowOptions& options) {
-  dobra::gui::WindowOptions ours = options;
-  if (ours.about.empty()) ours.about = "Restores deformed geological sections.";
-  if (ours.examples.empty()) {
-    ours.examples = {
-        {"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."},
-        {"chain.toml", "Flattened and folded again", "A chain of two restorations, there and back."},
-        {"listric.toml", "Two listric faults", "Normal faults undone by vertical shear, the younger first."},
-        {"thrust.toml", "Thrust with a ramp", "A fault-bend fold moved back along its thrust."},
-        {"cosine.toml", "Cosine fold", "Offset curves of a fold, flattened."},
-    };
-  }
-  return dobra::gui::run_window(core::program(), file, ours);
+  return dobra::gui::run_window(core::program(), window_part(), file, options);
 }
 
 }  // namespace recon::gui

@@ -3444,6 +3444,118 @@
         <translation>Espelhar linhas</translation>
     </message>
     <message>
+        <source>Changed by</source>
+        <translation>Mudança</translation>
+    </message>
+    <message>
+        <source>Drag the place where the top is held; the restoration follows</source>
+        <translation>Arrasta o lugar em que o topo é fixado; a restauração acompanha</translation>
+    </message>
+    <message>
+        <source>Press on the section and drag to where the top is held; Escape gives up</source>
+        <translation>Pressione na seção e arraste até onde o topo é fixado; Esc desiste</translation>
+    </message>
+    <message>
+        <source>There is nothing to pin: the scenario has no step &apos;Target&apos;.</source>
+        <translation>Não há o que fixar: o cenário não tem uma etapa não tem uma etapa &apos;Alvo&apos;apos;Destinonão tem uma etapa &apos;Alvo&apos;apos;.</translation>
+    </message>
+    <message>
+        <source>The pin stands on the section that is restored; press there, in its own panel.</source>
+        <translation>O ponto fixo fica na seção que é restaurada; pressione nela, em seu próprio painel.</translation>
+    </message>
+    <message>
+        <source>Move the pin</source>
+        <translation>Mover o ponto fixo</translation>
+    </message>
+    <message>
+        <source>States compared</source>
+        <translation>Estados comparados</translation>
+    </message>
+    <message>
+        <source>Bed or unit</source>
+        <translation>Camada ou unidade</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Depois</translation>
+    </message>
+    <message>
+        <source>The input and the last state</source>
+        <translation>A entrada e o último estado</translation>
+    </message>
+    <message>
+        <source>The input and state 1</source>
+        <translation>A entrada e o estado 1</translation>
+    </message>
+    <message>
+        <source>States %1 and %2</source>
+        <translation>Os estados %1 e %2</translation>
+    </message>
+    <message>
+        <source>Nothing is restored or moved yet, so that there is nothing to compare.</source>
+        <translation>Nada foi restaurado nem movido ainda; não há o que comparar.</translation>
+    </message>
+    <message>
+        <source>Balanced: no bed and no unit changed by more than %1 %.</source>
+        <translation>Balanceado: nenhuma camada e nenhuma unidade mudou mais de %1 %.</translation>
+    </message>
+    <message>
+        <source>Not balanced: what changed by more than %1 % is marked.</source>
+        <translation>Não balanceado: o que mudou mais de %1 % está marcado.</translation>
+    </message>
+    <message>
+        <source>Length of the bed</source>
+        <translation>Comprimento da camada</translation>
+    </message>
+    <message>
+        <source>Area of the unit</source>
+        <translation>Área da unidade</translation>
+    </message>
+    <message>
+        <source> (not judged)</source>
+        <translation> (não julgado)</translation>
+    </message>
+    <message>
+        <source>beyond the tolerance</source>
+        <translation>além da tolerância</translation>
+    </message>
+    <message>
+        <source>Draws a crack, from the border or inside, with its length and its angle to the border</source>
+        <translation>Desenha uma trinca, a partir do contorno ou por dentro, com seu comprimento e seu ângulo com o contorno</translation>
+    </message>
+    <message>
+        <source>Click where the crack begins; near the border it begins on the border</source>
+        <translation>Clique onde a trinca começa; perto do contorno, ela começa no contorno</translation>
+    </message>
+    <message>
+        <source>Click the next point, or type @d&lt;angle; Enter ends the crack, Backspace takes a point back</source>
+        <translation>Clique o próximo ponto, ou digite @d&lt;ângulo; Enter termina a trinca, Backspace retira um ponto</translation>
+    </message>
+    <message>
+        <source>{:.6g} {} long</source>
+        <translation>{:.6g} {} de comprimento</translation>
+    </message>
+    <message>
+        <source>{:.1f}° to the border</source>
+        <translation>{:.1f}° com o contorno</translation>
+    </message>
+    <message>
+        <source>A crack has two points or more</source>
+        <translation>Uma trinca tem dois pontos ou mais</translation>
+    </message>
+    <message>
+        <source>There are no cracks. The tool Crack (K) draws one.</source>
+        <translation>Não há trincas. A ferramenta Trinca (K) desenha uma.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Comprimento</translation>
+    </message>
+    <message>
+        <source>This picture does not show the crack; look at the input (Ctrl+1), or show the layer of cracks.</source>
+        <translation>Esta figura não mostra a trinca; veja a entrada (Ctrl+1), ou mostre a camada das trincas.</translation>
+    </message>
+    <message>
         <source>Move lines</source>
         <translation>Mover linhas</translation>
     </message>

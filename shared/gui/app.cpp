@@ -36,8 +36,8 @@ void prepare_application() {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
 }
 
-int run_window(const scenario::Program& program, const std::optional<std::filesystem::path>& file,
-               const WindowOptions& options) {
+int run_window(const scenario::Program& program, const WindowPart& part,
+               const std::optional<std::filesystem::path>& file, const WindowOptions& options) {
   if (!has_display()) {
     std::fprintf(stderr,
                  "%s: no display: the window needs an X server (DISPLAY is not set); without one use '%s run FILE.toml "
@@ -65,7 +65,7 @@ int run_window(const scenario::Program& program, const std::optional<std::filesy
   QApplication::setApplicationDisplayName({});
   install_translation(QString::fromStdString(options.language));
 
-  MainWindow window(program, options.about, options.examples);
+  MainWindow window(program, part);
   if (!options.script) window.restore_layout();
   if (file) {
     const base::Result<void> opened = window.open(*file);

@@ -6,25 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "shared/gui/welcome/examples.h"
 #include "shared/scenario/program.h"
 
 namespace dobra::gui {
 
+struct WindowPart;  // window_part.h
+
 struct WindowOptions {
   std::optional<std::filesystem::path> script;  ///< Commands to execute in the window: see script.h.
   std::string language;                         ///< Such as "pt_BR"; that of the locale if empty.
-  std::string about;                            ///< What the program is for, one sentence in English source text.
-  std::vector<welcome::Example> examples = {};  ///< Those that the welcome page offers.
 };
 
-/// Opens the window, with a document if `file` is given. A file that cannot be opened is reported in the window; with a
-/// script, on standard error.
+/// Opens the window of a program, with a document if `file` is given. A file that cannot be opened is reported in the
+/// window; with a script, on standard error.
 /// @return 0 when the window was closed; 1 if a command of the script failed; 2 or 3 for a script or a file that cannot
 /// be
 ///         read; 4 without a display.
-int run_window(const scenario::Program& program, const std::optional<std::filesystem::path>& file,
-               const WindowOptions& options = {});
+int run_window(const scenario::Program& program, const WindowPart& part,
+               const std::optional<std::filesystem::path>& file, const WindowOptions& options = {});
 
 /// What must be set before a QApplication is made: OpenGL 3.2 core with a depth buffer, shared contexts, xcb.
 void prepare_application();

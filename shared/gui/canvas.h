@@ -78,6 +78,11 @@ class Canvas : public QObject {
 
   /// What is selected from now on; lines that are not there any more are left out.
   void select(canvas::Selection selection);
+  /// The same, and whoever shows what is selected hears of it.
+  void choose(canvas::Selection selection) {
+    select(std::move(selection));
+    emit lines_changed();
+  }
 
   /// As if the tool in hand had made it.
   void carry_out(const canvas::Edited& edited);

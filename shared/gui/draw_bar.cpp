@@ -36,18 +36,24 @@ Of kind_of(canvas::Shape shape) {
 
 }  // namespace
 
-DrawBar::DrawBar(Session& session, Canvas& canvas, actions::Registry& actions, QWidget* parent)
-    : QToolBar(text("Draw"), parent), session_(session), canvas_(canvas), actions_(actions), in_hand_("draw.select") {
+DrawBar::DrawBar(const Desk& desk, const std::vector<ToolPart>& of_program, actions::Registry& actions, QWidget* parent)
+    : QToolBar(text("Draw"), parent),
+      session_(desk.session),
+      canvas_(desk.canvas),
+      actions_(actions),
+      in_hand_("draw.select") {
   setObjectName("draw_bar");
   setIconSize({20, 20});
   setMovable(false);
   add_tools();
+  add_tools(of_program);
+  add_tools_of_lines();
   add_switches();
   actions_.fill(*this, "draw_bar");
-  connect(&canvas, &Canvas::drawn, this, &DrawBar::ask);
-  connect(&canvas, &Canvas::asked, this, &DrawBar::ask_which);
-  connect(&canvas, &Canvas::put_away, this, [this] { actions_.trigger("draw.select"); });
-  connect(&canvas, &Canvas::rename_asked, this, &DrawBar::ask_name);
+  connect(&canvas_, &Canvas::drawn, this, &DrawBar::ask);
+  connect(&canvas_, &Canvas::asked, this, &DrawBar::ask_which);
+  connect(&canvas_, &Canvas::put_away, this, [this] { actions_.trigger("draw.select"); });
+  connect(&canvas_, &Canvas::rename_asked, this, &DrawBar::ask_name);
 }
 
 void DrawBar::add_tools() {
@@ -67,6 +73,19 @@ void DrawBar::add_tools() {
     add_tool("draw", "point", "Point", theme::Symbol::Point, Qt::Key_O,
              [] { return canvas::make_draw_tool(Drawing::Point); });
   }
+}
+
+void DrawBar::add_tools(const std::vector<ToolPart>& of_program) {
+  const Desk desk{session_, canvas_};
+  for (const ToolPart& tool : of_program) {
+    QList<QKeySequence> keys;
+    if (!tool.key.isEmpty()) keys.push_back(tool.key);
+    add_tool(tool.name, [desk, make = tool.make] { return make(desk); },
+             {.text = tool.text, .help = tool.help, .section = "program", .icon = tool.icon, .keys = std::move(keys)});
+  }
+}
+
+void DrawBar::add_tools_of_lines() {
   if (!session_.program().drawing.edit) return;
   add_tool("vertices", "insert_vertex", "Insert vertex", theme::Symbol::InsertVertex, Qt::Key_I,
            [] { return canvas::make_line_tool(LineWork::InsertVertex); });
@@ -90,21 +109,20 @@ void DrawBar::add_tools() {
 
 void DrawBar::add_tool(const char* section, const char* name, const char* words, theme::Symbol symbol, int key,
                        Make make) {
-  const std::string id = std::string("draw.") + name;
-  actions_.add({.id = id,
-                .text = words,
-                .menu = "&Draw",
-                .section = section,
-                .bar = "draw_bar",
-                .symbol = symbol,
-                .keys = {QKeySequence(key)},
-                .run =
-                    [this, id, make] {
-                      in_hand_ = id;
-                      canvas_.take_up(make());
-                    },
-                .checked = [this, id] { return in_hand_ == id; },
-                .choice = "draw"});
+  add_tool(name, std::move(make), {.text = words, .section = section, .symbol = symbol, .keys = {QKeySequence(key)}});
+}
+
+void DrawBar::add_tool(const std::string& name, Make make, actions::Action action) {
+  action.id = "draw." + name;
+  action.menu = "&Draw";
+  action.bar = "draw_bar";
+  action.run = [this, id = action.id, make = std::move(make)] {
+    in_hand_ = id;
+    canvas_.take_up(make());
+  };
+  action.checked = [this, id = action.id] { return in_hand_ == id; };
+  action.choice = "draw";
+  actions_.add(std::move(action));
 }
 
 void DrawBar::add_switches() {

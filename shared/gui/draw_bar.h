@@ -7,6 +7,7 @@
 #include "shared/canvas/tool.h"
 #include "shared/gui/actions/registry.h"
 #include "shared/gui/session.h"
+#include "shared/gui/window_part.h"
 #include "shared/scenario/program.h"
 
 class QComboBox;
@@ -23,13 +24,17 @@ class DrawBar : public QToolBar {
   Q_OBJECT
 
  public:
-  /// Adds the tools and their switches to `actions`.
-  DrawBar(Session& session, Canvas& canvas, actions::Registry& actions, QWidget* parent);
+  /// Adds the tools, those of the program too, and their switches to `actions`.
+  DrawBar(const Desk& desk, const std::vector<ToolPart>& of_program, actions::Registry& actions, QWidget* parent);
 
  private:
-  using Make = std::unique_ptr<canvas::Tool> (*)();
+  using Make = std::function<std::unique_ptr<canvas::Tool>()>;
   void add_tool(const char* section, const char* name, const char* words, theme::Symbol symbol, int key, Make make);
+  /// With what taking up a tool needs.
+  void add_tool(const std::string& name, Make make, actions::Action action);
   void add_tools();
+  void add_tools(const std::vector<ToolPart>& of_program);
+  void add_tools_of_lines();
   void add_switches();
   void ask(const canvas::Drawn& what);
   void ask_name(const QString& table, const QString& name);

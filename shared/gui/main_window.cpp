@@ -21,6 +21,7 @@
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
+#include "shared/gui/heard/boxes.h"
 #include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
@@ -56,13 +57,9 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
 
 }  // namespace
 
-MainWindow::MainWindow(const scenario::Program& program, std::string about, std::vector<welcome::Example> examples)
-    : program_(program),
-      about_(std::move(about)),
-      examples_(std::move(examples)),
-      session_(program),
-      player_(session_),
-      actions_(*this) {
+MainWindow::MainWindow(const scenario::Program& program, WindowPart part)
+    : program_(program), part_(std::move(part)), session_(program), player_(session_), actions_(*this) {
+  heard::name_boxes();
   theme::apply(kept_theme());
   setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
@@ -92,7 +89,7 @@ void MainWindow::make_center() {
   make_taken_in_bar(*column);
   column->addWidget(view_, 1);
   welcome_ = new welcome::Page(QString::fromStdString(program_.title),
-                               about_.empty() ? QString() : text(about_.c_str()), examples_, center);
+                               part_.about.empty() ? QString() : text(part_.about.c_str()), part_.examples, center);
   welcome_->hide();
   column->addWidget(welcome_, 1);
   setCentralWidget(center);
@@ -167,6 +164,9 @@ void MainWindow::make_docks() {
   dock(*this, text("Layers"), "dock.layers", layers_, Qt::RightDockWidgetArea);
   dock(*this, text("Results"), "dock.results", results_, Qt::RightDockWidgetArea);
   dock(*this, text("Vertices"), "dock.vertices", vertices_, Qt::RightDockWidgetArea);
+  for (const PanelPart& panel : part_.panels)
+    dock(*this, text(panel.title.c_str()), ("dock." + panel.name).c_str(), panel.make({session_, *canvas_}, this),
+         Qt::RightDockWidgetArea);
   place_docks();
 
   connect(steps_, &StepList::selected_changed, this, [this] {
@@ -239,12 +239,18 @@ void MainWindow::place_docks() {
   QDockWidget* results = at("dock.results", second);
   QDockWidget* vertices = at("dock.vertices", second);
   tabifyDockWidget(results, vertices);
+  std::vector<QDockWidget*> of_program;
+  for (const PanelPart& panel : part_.panels) {
+    of_program.push_back(at(("dock." + panel.name).c_str(), second));
+    tabifyDockWidget(results, of_program.back());
+  }
   results->raise();
   if (narrow) {
     tabifyDockWidget(form, layers);
     tabifyDockWidget(layers, results);
     tabifyDockWidget(results, vertices);
     vertices->hide();  // four titles have no room side by side
+    for (QDockWidget* panel : of_program) panel->hide();
     form->raise();
     resizeDocks({steps}, {260}, Qt::Horizontal);
     resizeDocks({steps, form}, {90, 200}, Qt::Vertical);
@@ -315,9 +321,10 @@ void MainWindow::select(std::size_t part) {
 
 void MainWindow::about() {
   const QString title = QString::fromStdString(program_.title);
-  QMessageBox::about(this, text("About %1").arg(title),
-                     QString("<h3>%1 %2</h3><p>%3</p><p>%4</p>")
-                         .arg(title, DOBRA_VERSION, text(about_.c_str()), text("Part of Dobra. Apache License 2.0.")));
+  QMessageBox::about(
+      this, text("About %1").arg(title),
+      QString("<h3>%1 %2</h3><p>%3</p><p>%4</p>")
+          .arg(title, DOBRA_VERSION, text(part_.about.c_str()), text("Part of Dobra. Apache License 2.0.")));
 }
 
 bool MainWindow::undo() {

@@ -13,7 +13,7 @@
 #include "shared/gui/step_list.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/view/settings.h"
-#include "shared/gui/welcome/examples.h"
+#include "shared/gui/window_part.h"
 
 class QBoxLayout;
 class QDockWidget;
@@ -51,10 +51,9 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// @param about  what the program is for, one sentence in English source text.
+  /// @param part  what the program adds to its window.
   /// @pre `program` outlives the window.
-  explicit MainWindow(const scenario::Program& program, std::string about = {},
-                      std::vector<welcome::Example> examples = {});
+  explicit MainWindow(const scenario::Program& program, WindowPart part = {});
   ~MainWindow() override;
 
   /// Opens without asking about unsaved changes; what went wrong is also said in the error bar.
@@ -192,8 +191,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::vector<PartState> part_states() const;
 
   const scenario::Program& program_;
-  std::string about_;
-  std::vector<welcome::Example> examples_;
+  WindowPart part_;
   Session session_;
   Player player_;
   actions::Registry actions_;

@@ -55,7 +55,7 @@ const char* name_of(documents::Shown shown) {
 void MainWindow::make_actions() {
   add_file_actions();
   add_edit_actions();
-  draw_bar_ = new DrawBar(session_, *canvas_, actions_, this);
+  draw_bar_ = new DrawBar({session_, *canvas_}, part_.tools, actions_, this);
   add_view_actions();
   add_run_actions();
   add_help_actions();

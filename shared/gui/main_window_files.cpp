@@ -37,7 +37,7 @@ constexpr int most_recent_files = 10;
 constexpr const char* recent_key = "recent_files";
 constexpr const char* geometry_key = "layout/geometry";
 constexpr const char* state_key = "layout/state";
-constexpr int layout_version = 1;  ///< Of panels and bars: a layout of another version is not taken up.
+constexpr int layout_version = 2;  ///< Of panels and bars: a layout of another version is not taken up.
 
 constexpr const char* scenario_ending = ".toml";
 

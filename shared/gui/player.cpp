@@ -26,7 +26,8 @@ Player::Player(Session& session, QObject* parent) : QObject(parent), session_(se
 
 bool Player::can_watch(std::size_t part) const {
   const scenario::Document& document = session_.document();
-  if (part == 0 || part > document.steps.size() || documents::is_blank(document, session_.program())) return false;
+  if (part == 0 || part > document.steps.size()) return false;
+  if (documents::is_blank(document, session_.program())) return false;  // a step that waits for its input
   const scenario::Operation* operation = session_.program().find_operation(document.steps[part - 1].operation);
   return operation != nullptr && !operation->stop_after.empty();
 }
@@ -66,7 +67,7 @@ void Player::show(std::size_t part, std::size_t steps) {
 
 void Player::go_on() {
   const documents::OutcomePtr& outcome = session_.outcome();
-  if (!watching() || outcome->document != asked_) return;
+  if (!watching() || !outcome || outcome->document != asked_) return;
   const scenario::Step& step = session_.document().steps[part_ - 1];
   const bool failed = !outcome->run.complete();
   const bool at_work =

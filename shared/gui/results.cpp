@@ -79,6 +79,7 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QuantityTre
   remarks_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   remarks_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   remarks_->setContentsMargins(6, 4, 6, 4);
+  remarks_->hide();
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(remarks_);
   scroll->setAccessibleName(text("Remarks"));
@@ -162,6 +163,7 @@ void Results::show_remarks(const documents::Outcome& outcome) {
                       catalogue::translated(QString::fromStdString(remark)));
   if (list.isEmpty()) list = "<i>" + text("No remarks.") + "</i>";
   if (remarks_->text() != list) remarks_->setText(list);
+  remarks_->show();
 }
 
 void Results::clear() {
@@ -169,6 +171,7 @@ void Results::clear() {
   lines_.clear();
   names_.clear();
   remarks_->clear();
+  remarks_->hide();  // nothing said is no stop for the keyboard
 }
 
 QString readable(double value) {

@@ -38,6 +38,7 @@ TablesEditor::TablesEditor(scenario::Field field, std::filesystem::path folder, 
   column->addLayout(list_);
   auto* add = new QToolButton(this);
   add->setText(text("Add"));
+  add->setAccessibleName(text(field_.options.title) + ": " + text("Add"));
   add->setObjectName("add." + QString::fromStdString(field_.key));
   column->addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QToolButton::clicked, this, [this] {
@@ -128,13 +129,12 @@ void TablesEditor::add_item() {
   remove->setText(QString::fromUtf8("✕"));
   remove->setAutoRaise(true);
   remove->setToolTip(text("Remove"));
-  remove->setAccessibleName(text("Remove"));
   auto* top = new QHBoxLayout;
   top->addWidget(header, 1);
   top->addWidget(remove);
   column->addLayout(top);
   list_->addWidget(frame);
-  items_.push_back({frame, header, {}, nullptr});
+  items_.push_back({frame, header, remove, {}, nullptr});
   connect(header, &QToolButton::toggled, this, [this, header, frame](bool open) {
     header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     const std::size_t i = position_of(frame);
@@ -156,7 +156,9 @@ void TablesEditor::retitle(std::size_t index) {
   const QString title = name.isEmpty() ? number : number + QString::fromUtf8(" · ") + name;
   if (items_[index].header->text() == title) return;
   items_[index].header->setText(title);
-  items_[index].header->setAccessibleName(text(field_.options.title) + " " + title);
+  const QString heard = text(field_.options.title) + " " + title;
+  items_[index].header->setAccessibleName(heard);
+  items_[index].remove->setAccessibleName(heard + ": " + text("Remove"));
 }
 
 std::vector<Table> TablesEditor::tables() const {

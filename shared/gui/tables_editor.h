@@ -47,6 +47,7 @@ class TablesEditor : public QWidget {
   struct Item {
     QWidget* frame = nullptr;
     QToolButton* header = nullptr;
+    QToolButton* remove = nullptr;
     scenario::Table table;
     TableForm* form = nullptr;  ///< None before the table is opened.
   };

@@ -6,7 +6,10 @@
 #include <string>
 
 #include "quebra/core/operations.h"
+#include "quebra/gui/window.h"
 #include "recon/core/operations.h"
+#include "recon/gui/window.h"
+#include "shared/gui/window_part.h"
 
 namespace dobra::test {
 
@@ -41,6 +44,10 @@ inline const scenario::Program& program_of(const std::string& document) {
   static const scenario::Program recon = recon::core::program();
   static const scenario::Program quebra = quebra::core::program();
   return document.starts_with("recon/") ? recon : quebra;
+}
+/// What that program adds to its window.
+inline gui::WindowPart part_of(const std::string& document) {
+  return document.starts_with("recon/") ? recon::gui::window_part() : quebra::gui::window_part();
 }
 
 }  // namespace dobra::test

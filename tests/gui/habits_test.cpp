@@ -25,7 +25,7 @@ class Habits : public testing::TestWithParam<const char*> {
  protected:
   Habits() {
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    window_ = std::make_unique<gui::MainWindow>(test::program_of(GetParam()));
+    window_ = std::make_unique<gui::MainWindow>(test::program_of(GetParam()), test::part_of(GetParam()));
     window_->show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 20000));
   }

@@ -50,7 +50,7 @@ class Situations : public testing::TestWithParam<Look> {
 
   /// A window with the example, at rest; without one where that is empty.
   void open(const std::string& program, const std::string& example = {}) {
-    window_ = std::make_unique<gui::MainWindow>(test::program_of(program));
+    window_ = std::make_unique<gui::MainWindow>(test::program_of(program), test::part_of(program));
     window_->resize(1280, 800);
     window_->show();
     window_->activateWindow();

@@ -41,7 +41,8 @@ class Words : public testing::TestWithParam<Example> {
     canvas::set_decimal_mark(canvas::DecimalMark::Point);
   }
   void open() {
-    window_ = std::make_unique<gui::MainWindow>(test::program_of(GetParam().document));
+    window_ =
+        std::make_unique<gui::MainWindow>(test::program_of(GetParam().document), test::part_of(GetParam().document));
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 20000));
     ASSERT_TRUE(window_->open(examples_.file(GetParam().document)).ok());

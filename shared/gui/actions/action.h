@@ -16,14 +16,15 @@ class QWidget;
 namespace dobra::gui::actions {
 
 struct Action {
-  std::string id;         ///< "file.open": what scripts and tests call it, and the name of its QAction.
-  std::string text;       ///< As menus show it, English source, with the & of its letter.
+  std::string id = {};    ///< "file.open": what scripts and tests call it, and the name of its QAction.
+  std::string text = {};  ///< As menus show it, English source, with the & of its letter.
   std::string help = {};  ///< A sentence, English source; none where the text says it all.
   /// Titles of the menus that lead to it, English source: "&View/&Theme". Empty: in no menu.
   std::string menu = {};
   std::string section = {};  ///< Neighbours of a menu or a bar in different sections stand apart.
   std::string bar = {};      ///< The tool bar that shows it; empty: none.
   std::optional<theme::Symbol> symbol = {};
+  theme::Draw icon = nullptr;  ///< In the place of a symbol.
   QList<QKeySequence> keys = {};
   std::function<void()> run = {};
   std::function<bool()> enabled = {};        ///< Not set: always.

@@ -59,6 +59,7 @@ Registry::~Registry() = default;
 QAction& Registry::add(Action action) {
   auto* made = new QAction(shown(action.text), &window_);
   if (action.symbol) made->setIcon(theme::icon(*action.symbol));
+  if (action.icon != nullptr) made->setIcon(theme::icon(action.icon));
   if (action.checked) made->setCheckable(true);
   if (!action.choice.empty()) {
     QActionGroup*& group = choices_[action.choice];

@@ -15,9 +15,6 @@ const QColor red(0xc6, 0x28, 0x28);
 const QColor amber(0xe6, 0x9f, 0x00);
 const QColor blue(0x15, 0x65, 0xc0);
 
-/// Draws on a square of 24 x 24 units; the pen is set to the colour of text, 1.8 units wide.
-using Draw = void (*)(QPainter& painter);
-
 void fill(QPainter& painter, const QColor& color, const QPainterPath& path) { painter.fillPath(path, color); }
 
 QPainterPath polygon(std::initializer_list<QPointF> points) {
@@ -357,7 +354,7 @@ Draw drawing_of(Symbol symbol) {
 
 class SymbolEngine : public QIconEngine {
  public:
-  explicit SymbolEngine(Symbol symbol) : symbol_(symbol) {}
+  explicit SymbolEngine(Draw draw) : draw_(draw) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     painter->save();
@@ -368,7 +365,7 @@ class SymbolEngine : public QIconEngine {
     if (mode == QIcon::Disabled) painter->setOpacity(0.3);
     const QColor color = QApplication::palette().color(QPalette::WindowText);
     painter->setPen(QPen(color, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    drawing_of(symbol_)(*painter);
+    draw_(*painter);
     painter->restore();
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -378,15 +375,16 @@ class SymbolEngine : public QIconEngine {
     paint(&painter, QRect(QPoint(0, 0), size), mode, state);
     return pixmap;
   }
-  QIconEngine* clone() const override { return new SymbolEngine(symbol_); }
+  QIconEngine* clone() const override { return new SymbolEngine(draw_); }
 
  private:
-  Symbol symbol_;
+  Draw draw_;
 };
 
 }  // namespace
 
-QIcon icon(Symbol symbol) { return QIcon(new SymbolEngine(symbol)); }
+QIcon icon(Draw draw) { return QIcon(new SymbolEngine(draw)); }
+QIcon icon(Symbol symbol) { return icon(drawing_of(symbol)); }
 
 QIcon swatch(const QBrush& brush, const QColor& line) {
   QPixmap pixmap(28, 28);

@@ -5,7 +5,12 @@
 #include <QColor>
 #include <QIcon>
 
+class QPainter;
+
 namespace dobra::gui::theme {
+
+/// Draws on a square of 24 x 24 units; the pen is set to the colour of text, 1.8 units wide.
+using Draw = void (*)(QPainter& painter);
 
 enum class Symbol {
   Open,
@@ -53,6 +58,7 @@ enum class Symbol {
 };
 
 QIcon icon(Symbol symbol);
+QIcon icon(Draw draw);
 
 /// A filled square with a thin outline: the colour of a layer. Gradients run over a square of 28 units.
 QIcon swatch(const QBrush& fill, const QColor& line);

@@ -47,10 +47,11 @@ class WelcomeTest : public testing::Test {
 
   test::TemporaryFolder folder;
   const scenario::Program program = program_called("recon");
-  MainWindow window{program,
-                    "Restores deformed geological sections.",
-                    {{"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."},
-                     {"gone.toml", "Gone", "Not there."}}};
+  MainWindow window{
+      program,
+      {.about = "Restores deformed geological sections.",
+       .examples = {{"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."},
+                    {"gone.toml", "Gone", "Not there."}}}};
 };
 
 TEST_F(WelcomeTest, AnExampleIsAnUntitledDocumentWhoseFilesAreFoundFromWhereItIsSaved) {
@@ -171,8 +172,9 @@ TEST_F(WelcomeTest, NewAsksAboutWhatIsNotSavedAndDrawingLeavesThePage) {
 
 TEST_F(WelcomeTest, IsInPortugueseToo) {
   const test::Brazilian language;
-  MainWindow other(program, "Restores deformed geological sections.",
-                   {{"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."}});
+  MainWindow other(
+      program, {.about = "Restores deformed geological sections.",
+                .examples = {{"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."}}});
   other.welcome();
   auto* found = other.findChild<QAbstractButton*>("welcome.example.fold.toml");
   ASSERT_NE(found, nullptr);

@@ -1,0 +1,178 @@
+#include "recon/gui/balance_panel.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "recon/model/model.h"
+#include "shared/gui/canvas.h"
+#include "shared/gui/session.h"
+#include "shared/gui/text.h"
+#include "shared/gui/theme/icons.h"
+
+namespace recon::gui {
+
+namespace {
+
+namespace canvas = dobra::canvas;
+namespace scenario = dobra::scenario;
+using dobra::gui::text;
+
+constexpr int name_role = Qt::UserRole;  ///< Of the row of a bed: what its lines are called.
+
+/// To six digits, without an exponent.
+QString number(double value) {
+  const int whole = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return QLocale().toString(value, 'f', std::clamp(6 - whole, 0, 6));
+}
+
+QString percent(double value) { return QString("%1 %").arg(QLocale().toString(value, 'f', 2)); }
+
+/// The last state of the session's run, if it is one of RECON's.
+const model::Model* last_model(const dobra::gui::Session& session) {
+  const dobra::gui::documents::OutcomePtr& outcome = session.outcome();
+  if (!outcome || outcome->run.states.empty()) return nullptr;
+  return &scenario::model_of<model::Model>(outcome->run.states.back());
+}
+
+}  // namespace
+
+BalancePanel::BalancePanel(const dobra::gui::Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  states_ = new QComboBox(this);
+  states_->setObjectName("balance.states");
+  states_->setAccessibleName(text("States compared"));
+  verdict_ = new QLabel(this);
+  verdict_->setObjectName("balance.verdict");
+  verdict_->setWordWrap(true);
+  rows_ = new QTreeWidget(this);
+  rows_->setObjectName("balance.rows");
+  rows_->setAccessibleName(text("Balance"));
+  rows_->setHeaderLabels({text("Bed or unit"), text("Changed by"), text("Before"), text("After")});
+  rows_->setRootIsDecorated(false);
+  rows_->setUniformRowHeights(true);
+  rows_->header()->setStretchLastSection(false);
+  rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  rows_->header()->setMinimumSectionSize(rows_->fontMetrics().horizontalAdvance("-00.00 %"));
+  rows_->setTextElideMode(Qt::ElideMiddle);
+  rows_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  column->addWidget(states_);
+  column->addWidget(verdict_);
+  column->addWidget(rows_, 1);
+  connect(&desk_.session, &dobra::gui::Session::run_finished, this, &BalancePanel::show_outcome);
+  connect(&desk_.session, &dobra::gui::Session::document_changed, this, [this] {
+    if (desk_.session.outcome() == nullptr) show_outcome();
+  });
+  connect(&desk_.canvas, &dobra::gui::Canvas::lines_changed, this, &BalancePanel::follow_selection);
+  connect(states_, &QComboBox::activated, this, &BalancePanel::show_rows);
+  connect(rows_, &QTreeWidget::itemSelectionChanged, this, &BalancePanel::select_lines);
+  connect(rows_, &QTreeWidget::itemActivated, this, [this] { desk_.canvas.look_at_selection(); });
+  show_outcome();
+}
+
+void BalancePanel::show_outcome() {
+  stale_ = true;
+  if (isVisible()) fill();
+}
+
+void BalancePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (stale_) fill();
+}
+
+void BalancePanel::fill() {
+  stale_ = false;
+  const model::Model* last = last_model(desk_.session);
+  show_states(last == nullptr ? 0 : model::restored_stages(*last).size());
+  show_rows();
+}
+
+/// All of the chain, and each of its stages where there are several.
+void BalancePanel::show_states(std::size_t count) {
+  const auto wanted = static_cast<int>(count > 1 ? count + 1 : count);
+  states_->setVisible(count > 1);
+  if (states_->count() == wanted) return;
+  states_->clear();
+  if (count > 0) states_->addItem(text("The input and the last state"));
+  for (std::size_t k = 1; count > 1 && k <= count; ++k)
+    states_->addItem(k == 1 ? text("The input and state 1") : text("States %1 and %2").arg(k - 1).arg(k));
+}
+
+void BalancePanel::show_rows() {
+  following_ = true;
+  rows_->clear();
+  const model::Model* last = last_model(desk_.session);
+  const auto chain = last == nullptr ? std::vector<const model::Stage*>() : model::restored_stages(*last);
+  rows_->setVisible(!chain.empty());
+  if (chain.empty()) {
+    verdict_->setText(text("Nothing is restored or moved yet, so that there is nothing to compare."));
+    following_ = false;
+    return;
+  }
+  const auto state = static_cast<std::size_t>(std::max(states_->currentIndex(), 0));
+  const model::Comparison compared =
+      state == 0 ? model::compare(chain, 0, chain.size()) : model::compare(chain, state - 1, state);
+  const double tolerance = model::balance_tolerance(chain);
+  const QString most = QLocale().toString(tolerance);
+  verdict_->setText(model::judge(compared, tolerance).balanced
+                        ? text("Balanced: no bed and no unit changed by more than %1 %.").arg(most)
+                        : text("Not balanced: what changed by more than %1 % is marked.").arg(most));
+  add_rows(compared.beds, QT_TR_NOOP("Length of the bed"), "m", tolerance);
+  add_rows(compared.units, QT_TR_NOOP("Area of the unit"), "m²", tolerance);
+  following_ = false;
+  follow_selection();
+}
+
+void BalancePanel::add_rows(const std::vector<model::Compared>& rows, const char* what, const char* unit,
+                            double tolerance) {
+  for (const model::Compared& row : rows) {
+    const QString name = QString::fromStdString(row.name);
+    const QString size = QString::fromUtf8(" ") + unit;
+    auto* item = new QTreeWidgetItem(
+        rows_, {name, percent(row.change_percent()), number(row.before) + size, number(row.after) + size});
+    for (int column = 1; column < item->columnCount(); ++column)
+      item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    const bool judged = row.role == section::BedRole::Judged;
+    item->setToolTip(0, name + "\n" + (judged ? text(what) : text(what) + text(" (not judged)")));
+    if (unit == std::string("m")) item->setData(0, name_role, name);
+    if (!judged || !(std::abs(row.change_percent()) > tolerance)) continue;
+    item->setIcon(0, dobra::gui::theme::icon(dobra::gui::theme::Symbol::Warning));
+    item->setData(1, Qt::AccessibleDescriptionRole, text("beyond the tolerance"));
+  }
+}
+
+void BalancePanel::select_lines() {
+  const QList<QTreeWidgetItem*> chosen = rows_->selectedItems();
+  if (following_ || chosen.isEmpty() || desk_.canvas.workspace().empty()) return;
+  const std::string name = chosen.front()->data(0, name_role).toString().toStdString();
+  canvas::Selection selection;
+  for (const auto& [pick, line] : desk_.canvas.workspace().lines()) {
+    if (!name.empty() && pick.layer.starts_with("horizon_") && desk_.canvas.workspace().title(pick) == name)
+      selection[pick] = {};
+  }
+  desk_.canvas.choose(std::move(selection));
+}
+
+void BalancePanel::follow_selection() {
+  if (following_) return;
+  const canvas::Workspace& work = desk_.canvas.workspace();
+  const QString name = work.empty() || work.selection.empty()
+                           ? QString()
+                           : QString::fromStdString(work.title(work.selection.begin()->first));
+  following_ = true;
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = rows_->topLevelItem(i);
+    const bool chosen = !name.isEmpty() && row->data(0, name_role).toString() == name;
+    row->setSelected(chosen);
+    if (chosen) rows_->setCurrentItem(row);
+  }
+  following_ = false;
+}
+
+}  // namespace recon::gui

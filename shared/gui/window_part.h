@@ -1,0 +1,54 @@
+#pragma once
+// What a program adds to the window from its own folder: tools of the canvas, panels, examples. The window knows no
+// program by name. Page: docs/architecture.md
+
+#include <QKeySequence>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "shared/canvas/tool.h"
+#include "shared/gui/theme/icons.h"
+#include "shared/gui/welcome/examples.h"
+
+class QWidget;
+
+namespace dobra::gui {
+
+class Canvas;
+class Session;
+
+/// What tools and panels work on, there as long as they are. What happens is heard of by the signals of both: another
+/// document, a run that has ended, other lines or another selection.
+struct Desk {
+  Session& session;
+  Canvas& canvas;
+};
+
+/// A tool that only this program has. What a gesture makes it gives to the session: while it lasts to be looked at, at
+/// its end as one edit.
+struct ToolPart {
+  std::string name;       ///< Its action is "draw.NAME".
+  std::string text;       ///< As menus show it, English source.
+  std::string help;       ///< A sentence, English source.
+  theme::Draw icon;       ///< As of theme::icon.
+  QKeySequence key = {};  ///< None that the window has itself.
+  std::function<std::unique_ptr<canvas::Tool>(const Desk&)> make;
+};
+
+/// A panel that stands among the results, with an entry in the menu of panels.
+struct PanelPart {
+  std::string name;   ///< Its action is "view.panel.NAME".
+  std::string title;  ///< English source.
+  std::function<QWidget*(const Desk&, QWidget* parent)> make;
+};
+
+struct WindowPart {
+  std::string about = {};                       ///< What the program is for, one sentence in English source text.
+  std::vector<welcome::Example> examples = {};  ///< Those that the welcome page offers.
+  std::vector<ToolPart> tools = {};
+  std::vector<PanelPart> panels = {};
+};
+
+}  // namespace dobra::gui

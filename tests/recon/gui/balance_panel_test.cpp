@@ -1,0 +1,119 @@
+#include "recon/gui/balance_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLocale>
+
+#include "tests/gui/program_window.h"
+
+namespace recon::gui {
+namespace {
+
+namespace test = dobra::test;
+namespace scenario = dobra::scenario;
+
+double quantity(test::ProgramWindow& window, const std::string& name) {
+  for (const scenario::Quantity& each : window->session().outcome()->quantities) {
+    if (each.name == name) return each.value;
+  }
+  ADD_FAILURE() << name;
+  return 0.0;
+}
+
+QTreeWidgetItem* row_of(QTreeWidget& rows, const QString& name) {
+  for (int i = 0; i < rows.topLevelItemCount(); ++i) {
+    if (rows.topLevelItem(i)->text(0) == name) return rows.topLevelItem(i);
+  }
+  return nullptr;
+}
+
+/// The first word is a number, the second its unit.
+double number_in(const QString& cell) { return QLocale().toDouble(cell.section(' ', 0, 0)); }
+
+TEST(BalancePanel, ShowsTheLengthsThatTheReportHas) {
+  test::ProgramWindow window("recon/fold.toml");
+  window.open();
+  QTreeWidget* rows = window.rows("balance");
+  ASSERT_NE(rows, nullptr);
+  for (const char* bed : {"Upper Sandstone", "Red Marl", "Limestone", "Grey Shale", "Lower Sandstone"}) {
+    QTreeWidgetItem* row = row_of(*rows, bed);
+    ASSERT_NE(row, nullptr) << bed;
+    const std::string prefix = std::string("horizon.") + bed;
+    const double before = quantity(window, prefix + ".length_before");
+    const double after = quantity(window, prefix + ".length_after");
+    EXPECT_NEAR(number_in(row->text(2)), before, 0.01) << bed;
+    EXPECT_NEAR(number_in(row->text(3)), after, 0.01) << bed;
+    EXPECT_NEAR(number_in(row->text(1)), 100.0 * (after - before) / before, 0.01) << bed;
+    // The scenario tolerates 2 %, and only the three lower beds are beyond: 6605 to 6798 is 2.9 %.
+    EXPECT_EQ(row->icon(0).isNull(), std::abs(100.0 * (after - before) / before) <= 2.0) << bed;
+  }
+  EXPECT_TRUE(window->findChild<QLabel*>("balance.verdict")->text().startsWith("Not balanced"));
+}
+
+TEST(BalancePanel, TheRowOfABedSelectsItsLinesAndALineItsRow) {
+  test::ProgramWindow window("recon/fold.toml");
+  window.open();
+  QTreeWidget* rows = window.rows("balance");
+  window.click_row(*rows, *row_of(*rows, "Limestone"));
+  const auto& work = window->canvas().workspace();
+  ASSERT_EQ(work.selection.size(), 1u);
+  EXPECT_EQ(work.title(work.selection.begin()->first), "Limestone");
+  // A click on the line of another bed marks its row.
+  window.focus();
+  window.press(Qt::Key_S);
+  const std::size_t panel = window.panel("deformed");
+  for (const auto& [pick, line] : work.lines()) {
+    if (work.title(pick) != "Red Marl") continue;
+    const dobra::geom::Point at = line->points[line->points.size() / 2];
+    // Nearer, so that the vertices of the bed that is selected are out of the mouse's reach.
+    window->view().look_at(panel, {at - dobra::geom::Vector{250.0, 100.0}, at + dobra::geom::Vector{250.0, 100.0}});
+    window.come_to_rest();
+    window.click(window.pixel(panel, at));
+    break;
+  }
+  ASSERT_EQ(work.selection.size(), 1u);
+  EXPECT_EQ(work.title(work.selection.begin()->first), "Red Marl");
+  ASSERT_EQ(rows->selectedItems().size(), 1);
+  EXPECT_EQ(rows->selectedItems().front()->text(0), "Red Marl");
+  // Keys go from row to row.
+  rows->setFocus();
+  QTest::keyClick(rows, Qt::Key_Down);
+  EXPECT_EQ(work.title(work.selection.begin()->first), rows->currentItem()->text(0).toStdString());
+  EXPECT_NE(rows->currentItem()->text(0), "Red Marl");
+}
+
+TEST(BalancePanel, OfAChainEachStageIsCompared) {
+  test::ProgramWindow window("recon/chain.toml");
+  window.open();
+  QTreeWidget* rows = window.rows("balance");
+  auto* states = window->findChild<QComboBox*>("balance.states");
+  ASSERT_TRUE(states->isVisible());
+  ASSERT_EQ(states->count(), 3);
+  const QString bed = rows->topLevelItem(0)->text(0);
+  const auto after = [&] { return number_in(row_of(*rows, bed)->text(3)); };
+  const auto before = [&] { return number_in(row_of(*rows, bed)->text(2)); };
+  const double first = before();
+  const double last = after();
+  states->setFocus();
+  QTest::keyClick(states, Qt::Key_Down);
+  const double between = after();
+  EXPECT_EQ(before(), first);
+  QTest::keyClick(states, Qt::Key_Down);
+  EXPECT_EQ(before(), between);
+  EXPECT_EQ(after(), last);
+}
+
+TEST(BalancePanel, SaysWhenThereIsNothingToCompare) {
+  test::ProgramWindow window("recon/fold.toml");
+  EXPECT_FALSE(window.rows("balance")->isVisible());
+  EXPECT_TRUE(window->findChild<QLabel*>("balance.verdict")->text().startsWith("Nothing is restored"));
+  window.open();
+  EXPECT_TRUE(window.rows("balance")->isVisible());
+  window->begin_new();
+  window.come_to_rest();
+  EXPECT_FALSE(window.rows("balance")->isVisible());
+  EXPECT_EQ(window.rows("balance")->topLevelItemCount(), 0);
+}
+
+}  // namespace
+}  // namespace recon::gui
