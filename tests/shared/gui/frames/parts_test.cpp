@@ -165,7 +165,8 @@ TEST_F(Parts, AnotherPictureTakesTheirPlace) {
   for (; replaced < 20 && view.meter().full_frames() == full; ++replaced) {
     view.set_picture(square_of(n++), Looking::AtAll);
     const std::size_t begun = view.meter().begun();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.meter().begun() > begun || view.meter().full_frames() > full; }, 60000));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view.meter().begun() > begun || view.meter().full_frames() > full; }, 60000));
   }
   EXPECT_LT(replaced, 10U);
 }
