@@ -303,6 +303,7 @@ void MainWindow::connect_session() {
   connect(&session_, &Session::run_started, this, &MainWindow::show_run_started);
   connect(&session_, &Session::progress, this, &MainWindow::show_progress);
   connect(&session_, &Session::run_finished, this, &MainWindow::show_outcome);
+  connect(&session_, &Session::names_found, this, [this] { offer_names(form_part_); });
   connect(&session_, &Session::journal_failed, this,
           [this](const QString& why) { status_->show_state(text("Changes are not kept for a crash: %1").arg(why)); });
 }
@@ -385,11 +386,7 @@ void MainWindow::show_form() {
 }
 
 void MainWindow::offer_names(std::size_t part) {
-  form_->form()->offer([this, part](const std::string& what) -> std::vector<std::string> {
-    const documents::OutcomePtr& outcome = session_.outcome();
-    if (part == 0 || !program_.names_of || !outcome || outcome->run.states.size() < part) return {};
-    return program_.names_of(outcome->run.states[part - 1], what);
-  });
+  form_->form()->offer([this, part](const std::string& what) { return session_.names_before(part, what); });
 }
 
 std::vector<PartState> MainWindow::part_states() const {

@@ -1,5 +1,7 @@
 #include "shared/gui/script.h"
 
+#include <fmt/format.h>
+
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -36,11 +38,12 @@ constexpr int between_commands = 30;  ///< Milliseconds: the window paints what 
 /// Words that a command needs at least, its own name included.
 const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
-      {"wait", 1},  {"select", 2},      {"set", 2},     {"undo", 1},         {"redo", 1},        {"save", 1},
-      {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
-      {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
-      {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
-      {"drag", 5},  {"keys", 2},        {"look", 2},    {"frames", 2},       {"states", 6},      {"action", 2}};
+      {"wait", 1},  {"select", 2},      {"set", 2},        {"undo", 1},         {"redo", 1},        {"save", 1},
+      {"fit", 1},   {"hide", 2},        {"show", 2},       {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
+      {"add", 2},   {"remove", 1},      {"quit", 1},       {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
+      {"watch", 2}, {"longest-gap", 2}, {"full-frame", 2}, {"recover", 1},      {"tool", 2},        {"point", 3},
+      {"click", 3}, {"drag", 5},        {"keys", 2},       {"look", 2},         {"frames", 2},      {"states", 6},
+      {"action", 2}};
   return all;
 }
 
@@ -150,6 +153,9 @@ Result<void> Script::execute(const Line& line) {
     session.recover();
   } else if (command == "longest-gap") {
     return io::write_file(line.rest, std::to_string(std::exchange(longest_gap_, 0)) + "\n");
+  } else if (command == "full-frame") {
+    const frames::Meter::FullFrame frame = window_.view().meter().take_longest_frame();
+    return io::write_file(line.rest, fmt::format("{:.0f} {:.0f}\n", frame.milliseconds, frame.deaf));
   } else if (command == "frames") {
     return count_frames(line.rest);
   } else if (command == "states") {

@@ -14,6 +14,9 @@
 // - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
 // - watch play|pause|stop: the operation at work; watch step COUNT: so many steps more
 // - longest-gap PATH: milliseconds that the window was deaf for at most since the last of these, or the beginning
+// - full-frame PATH: milliseconds that the longest frame in full detail took since the last of these, from its
+// beginning
+//   to its end, and those for which it let nothing else be heard: the longest of its parts, where it is drawn in parts
 // - frames PATH: pans there and back, and writes how many pictures a second are drawn meanwhile
 // - recover: takes up the changes that a window lost
 // - quit: without asking, and without keeping what is not saved

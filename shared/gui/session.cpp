@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "shared/base/text.h"
 #include "shared/gui/documents/edit.h"
@@ -31,6 +32,11 @@ Session::Session(const scenario::Program& program, QObject* parent)
   connect(&worker_, &documents::Worker::started, this, &Session::run_started);
   connect(&worker_, &documents::Worker::progress, this, &Session::progress);
   connect(&worker_, &documents::Worker::finished, this, &Session::finish);
+  connect(&worker_, &documents::Worker::names_found, this,
+          [this](const std::string& what, const std::vector<std::string>& names) {
+            Names& known = names_[what];
+            if (known.asked && std::exchange(known.names, names) != names) emit names_found();
+          });
 }
 
 base::Result<void> Session::open(const std::filesystem::path& file) {
@@ -41,6 +47,7 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
   history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
   remember_disk();
   outcome_ = nullptr;
+  names_.clear();
   emit document_changed();
   run();
   return {};
@@ -51,6 +58,7 @@ void Session::begin(scenario::Document document) {
   history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
   known_.clear();
   outcome_ = nullptr;
+  names_.clear();
   cancel();
   emit document_changed();
   run();
@@ -192,6 +200,14 @@ documents::DocumentPtr Session::look_at(scenario::Document document) {
 void Session::finish(const documents::OutcomePtr& outcome) {
   if (!documents::is_blank(document(), program_)) outcome_ = outcome;
   emit run_finished();
+}
+
+std::vector<std::string> Session::names_before(std::size_t part, const std::string& what) {
+  if (part == 0 || !program_.names_of || !outcome_ || outcome_->run.states.size() < part) return {};
+  const scenario::State& state = outcome_->run.states[part - 1];
+  Names& known = names_[what];
+  if (!busy() && std::exchange(known.asked, state) != state) worker_.find_names(state, what);
+  return known.names;
 }
 
 std::size_t Session::common_parts(const scenario::Document& a, const scenario::Document& b) {

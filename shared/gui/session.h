@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -62,6 +63,10 @@ class Session : public QObject {
   /// names.
   documents::DocumentPtr look_at(scenario::Document document);
 
+  /// What the form of a part may name (Program::names_of), of the state before that part as the last run left it. What
+  /// takes long is found by the worker when no run is under way: until `names_found`, they are those of before.
+  std::vector<std::string> names_before(std::size_t part, const std::string& what);
+
   /// How many parts (input included) from the first on are the same in both documents.
   static std::size_t common_parts(const scenario::Document& a, const scenario::Document& b);
 
@@ -71,6 +76,7 @@ class Session : public QObject {
   void run_started();
   void progress(double fraction, const QString& what);
   void run_finished();
+  void names_found();
   void journal_failed(const QString& why);
 
  private:
@@ -89,6 +95,11 @@ class Session : public QObject {
   QTimer pause_;
   documents::OutcomePtr outcome_;
   documents::Journal journal_;
+  struct Names {
+    scenario::State asked = nullptr;  ///< The last state that was asked for them.
+    std::vector<std::string> names{};
+  };
+  std::map<std::string, Names> names_;  ///< By what they are of.
   double last_edit_milliseconds_ = 0.0;
   /// The document's file and its file of lines, and their bytes when they were last read or written.
   std::vector<std::pair<std::filesystem::path, std::optional<std::string>>> known_;

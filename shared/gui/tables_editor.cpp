@@ -1,10 +1,12 @@
 #include "shared/gui/tables_editor.h"
 
+#include <QApplication>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "shared/base/check.h"
 #include "shared/gui/parameter_form.h"
@@ -55,15 +57,32 @@ void TablesEditor::show_tables(const std::vector<Table>& tables) {
     items_.back().frame->deleteLater();
     items_.pop_back();
   }
-  while (items_.size() < tables.size()) {
-    add_item();
-    items_.back().header->setChecked(!first_time || tables.size() <= opened_at_first);
-  }
+  const std::size_t before = items_.size();
+  while (items_.size() < tables.size()) add_item();
   for (std::size_t i = 0; i < tables.size(); ++i) {
     items_[i].table = tables[i];
     if (items_[i].form != nullptr) items_[i].form->set_table(tables[i]);
     retitle(i);
   }
+  if (items_.size() == before) return;
+  if (!first_time)
+    open_by_itself(items_.size() - 1);
+  else if (tables.size() <= opened_at_first)
+    items_.back().header->setChecked(true);
+}
+
+/// Only the newest is open by itself: a form costs a hundred widgets, and hundreds of lines can be drawn.
+void TablesEditor::open_by_itself(std::size_t index) {
+  for (Item& item : items_) {
+    const bool in_use = item.form != nullptr && item.form->isAncestorOf(QApplication::focusWidget());
+    if (in_use) item.by_itself = false;
+    if (!std::exchange(item.by_itself, false)) continue;
+    item.header->setChecked(false);
+    item.form->deleteLater();
+    item.form = nullptr;
+  }
+  items_[index].header->setChecked(true);
+  items_[index].by_itself = true;
 }
 
 void TablesEditor::canvas_answers() {
@@ -99,6 +118,7 @@ TableForm& TablesEditor::form(std::size_t index) {
   connect(form, &TableForm::pointing_asked, this, &TablesEditor::pointing_asked);
   connect(form, &TableForm::edited, this, [this, frame = item.frame](const Table& table, const QString& key) {
     const std::size_t i = position_of(frame);
+    items_[i].by_itself = false;
     items_[i].table = table;
     retitle(i);
     emit entered(tables(), QString::number(i + 1) + "." + key);
@@ -140,6 +160,7 @@ void TablesEditor::add_item() {
     const std::size_t i = position_of(frame);
     if (open || items_[i].form != nullptr) form(i).setVisible(open);
   });
+  connect(header, &QToolButton::clicked, this, [this, frame] { items_[position_of(frame)].by_itself = false; });
   connect(remove, &QToolButton::clicked, this, [this, frame] { remove_item(position_of(frame)); });
 }
 

@@ -50,8 +50,10 @@ class TablesEditor : public QWidget {
     QToolButton* remove = nullptr;
     scenario::Table table;
     TableForm* form = nullptr;  ///< None before the table is opened.
+    bool by_itself = false;     ///< It was opened because the table was new, and nobody has done anything to it.
   };
   void add_item();
+  void open_by_itself(std::size_t index);
   [[nodiscard]] std::size_t position_of(const QWidget* frame) const;
   void remove_item(std::size_t index);
   void retitle(std::size_t index);

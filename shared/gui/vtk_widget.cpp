@@ -32,7 +32,12 @@ constexpr int at_rest = 200;             ///< Milliseconds after the last moveme
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
 constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
-constexpr double slow_frame = 25.0;  ///< Milliseconds: where the layers take more, the view moves their last frame.
+constexpr double slow_frame = 25.0;   ///< Milliseconds: where the layers take more, the view moves their last frame.
+constexpr std::size_t heavy = 60000;  ///< Cells that are drawn at once; a frame of more is drawn in parts.
+constexpr std::size_t first_part = 25000;
+constexpr std::size_t least_part = 4000;
+constexpr double part_ms = 40.0;  ///< That a part is to take.
+constexpr int most_unseen = 2;    ///< Pictures that follow each other too quickly for parts: the next is drawn at once.
 const scene::Color marker_color{0xd0, 0x10, 0x10};
 
 /// The panel with its extent fixed to that of all its layers: hiding one does not move the others.
@@ -62,6 +67,8 @@ QString axis_unit(const std::string& title) {
   const bool has_one = open != std::string::npos && title.ends_with(']');
   return has_one ? QString::fromStdString(title.substr(open + 1, title.size() - open - 2)) : QString();
 }
+
+QRect rect_of(const QSize& size) { return {QPoint(0, 0), size}; }
 
 geom::Point page_point(QPointF pixel) { return {pixel.x(), pixel.y()}; }
 
@@ -113,13 +120,15 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(at_rest);
   connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
+  part_cost_ = first_part;
+  connect(&parts_, &QTimer::timeout, this, &VtkWidget::draw_part);
   connect(&bench_, &frames::Bench::arrived, this, [this] {
     if (!scene_) return;
     makeCurrent();
     scene_->scene.arrive();
     doneCurrent();
     frame_is_true_ = false;
-    update();
+    redraw();
   });
   new frames::MeterLabel(meter_, this);
   connect(this, &QOpenGLWidget::frameSwapped, &meter_, &frames::Meter::count_frame);
@@ -134,8 +143,12 @@ VtkWidget::~VtkWidget() {
 void VtkWidget::release() {
   if (!scene_) return;
   makeCurrent();
+  parts_.stop();
   bench_.clear();
   scene_.reset();
+  shown_.reset();
+  drawing_.reset();
+  is_drawn_ = false;
   doneCurrent();
 }
 
@@ -150,7 +163,9 @@ void VtkWidget::initializeGL() {
 
 void VtkWidget::resizeGL(int, int) {
   relayout();
+  frame_is_true_ = false;
   fill_canvas();
+  redraw();
 }
 
 void VtkWidget::relayout() {
@@ -162,32 +177,115 @@ void VtkWidget::relayout() {
 
 void VtkWidget::paintGL() {
   if (!scene_) return;
-  vtkGenericOpenGLRenderWindow& window = *scene_->window;
-  window.PushState();
-  window.OpenGLInitState();
-  window.SetIsCurrent(true);
-  window.SetFrameBlitModeToBlitToCurrent();
-  const auto begin = frames::Meter::Clock::now();
-  window.Render();
-  window.PopState();
-  if (!scene_->scene.holds_frame()) {
-    context()->functions()->glFinish();  // what the layers cost is known once they are drawn
-    full_frame_ms_ = frames::Meter::milliseconds_since(begin);
-    frame_is_true_ = !scene_->scene.is_waiting();
-  }
-  meter_.add(frames::Part::Draw, frames::Meter::milliseconds_since(begin));
-  // Opaque, or the desktop shows through where VTK left transparency behind.
+  if (size().isEmpty()) return;
+  if (!shown_ || shown_->size() != pixels()) is_drawn_ = false;
+  if (!is_drawn_ && (scene_->scene.holds_frame() || !goes_in_parts())) draw_at_once();
+  // Until the parts are there, what was drawn last stays.
+  if (lacks_full_frame() && !parts_.isActive() && !rest_.isActive() && !scene_->scene.is_waiting()) begin_parts();
   QOpenGLFunctions* gl = context()->functions();
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
   gl->glDisable(GL_SCISSOR_TEST);
-  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  gl->glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  if (shown_)
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, rect_of(pixels()), shown_.get(), rect_of(shown_->size()));
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  // Opaque, or the desktop shows through where VTK left transparency behind.
+  const scene::Color& paper = colors().ground.paper;
+  gl->glColorMask(shown_ ? GL_FALSE : GL_TRUE, shown_ ? GL_FALSE : GL_TRUE, shown_ ? GL_FALSE : GL_TRUE, GL_TRUE);
+  gl->glClearColor(paper.red / 255.0F, paper.green / 255.0F, paper.blue / 255.0F, 1.0F);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (!hasFocus()) return;
   QPainter painter(this);
   painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+void VtkWidget::redraw() {
+  is_drawn_ = false;
+  parts_.stop();
+  if (scene_ && scene_->scene.draws_parts()) {
+    makeCurrent();
+    scene_->scene.end_parts(render::VtkScene::Parts::Unfinished);
+    doneCurrent();
+  }
+  update();
+}
+
+std::size_t VtkWidget::arrangements() const { return scene_ ? scene_->scene.arrangements() : 0; }
+
+QSize VtkWidget::pixels() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+
+bool VtkWidget::goes_in_parts() const {
+  return scene_->scene.cost() > heavy && (unseen_ <= most_unseen || scene_->scene.is_waiting());
+}
+
+bool VtkWidget::lacks_full_frame() const { return goes_in_parts() && (!is_drawn_ || scene_->scene.holds_frame()); }
+
+/// @pre the context is current
+void VtkWidget::render_into(std::unique_ptr<QOpenGLFramebufferObject>& frame) {
+  if (!frame || frame->size() != pixels()) frame = std::make_unique<QOpenGLFramebufferObject>(pixels());
+  frame->bind();
+  vtkGenericOpenGLRenderWindow& window = *scene_->window;
+  window.PushState();
+  window.OpenGLInitState();
+  window.SetIsCurrent(true);
+  window.SetFrameBlitModeToBlitToCurrent();
+  window.Render();
+  window.PopState();
+}
+
+void VtkWidget::draw_at_once() {
+  const auto begin = frames::Meter::Clock::now();
+  render_into(shown_);
+  is_drawn_ = true;
+  if (!scene_->scene.holds_frame()) {
+    context()->functions()->glFinish();  // what the layers cost is known once they are drawn
+    full_frame_ms_ = frames::Meter::milliseconds_since(begin);
+    frame_is_true_ = !scene_->scene.is_waiting();
+    if (frame_is_true_) unseen_ = 0;
+    if (frame_is_true_) meter_.add_full_frame(full_frame_ms_, full_frame_ms_);
+  }
+  meter_.add(frames::Part::Draw, frames::Meter::milliseconds_since(begin));
+}
+
+void VtkWidget::begin_parts() {
+  scene_->scene.begin_parts();
+  parts_ms_ = 0.0;
+  longest_part_ms_ = 0.0;
+  parts_began_ = frames::Meter::Clock::now();
+  meter_.begin_full_frame();
+  parts_.start(0);
+}
+
+/// Between two parts the window hears of whatever else there is.
+void VtkWidget::draw_part() {
+  if (!scene_ || !scene_->scene.draws_parts()) return parts_.stop();
+  makeCurrent();
+  const auto begin = frames::Meter::Clock::now();
+  const bool last = scene_->scene.next_part(part_cost_);
+  render_into(drawing_);
+  context()->functions()->glFinish();
+  const double took = frames::Meter::milliseconds_since(begin);
+  parts_ms_ += took;
+  longest_part_ms_ = std::max(longest_part_ms_, took);
+  const double factor = std::clamp(part_ms / std::max(took, 1.0), 0.5, 1.5);
+  part_cost_ = std::max(least_part, static_cast<std::size_t>(factor * static_cast<double>(part_cost_)));
+  if (last) end_parts();
+  doneCurrent();
+}
+
+void VtkWidget::end_parts() {
+  parts_.stop();
+  scene_->scene.end_parts(render::VtkScene::Parts::Finished);
+  std::swap(shown_, drawing_);
+  drawing_.reset();
+  is_drawn_ = true;
+  frame_is_true_ = !scene_->scene.is_waiting();
+  full_frame_ms_ = parts_ms_;
+  unseen_ = 0;
+  meter_.add(frames::Part::Draw, parts_ms_);
+  meter_.add_full_frame(frames::Meter::milliseconds_since(parts_began_), longest_part_ms_);
+  update();
 }
 
 void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
@@ -226,17 +324,23 @@ void VtkWidget::set_canvas(theme::Canvas canvas) {
 void VtkWidget::show_picture() {
   if (!scene_) return;
   const auto begin = frames::Meter::Clock::now();
+  if (parts_.isActive()) ++unseen_;
+  frame_is_true_ = false;
   makeCurrent();
   hurry();
-  scene_->scene.set_picture(picture_);
-  scene_->scene.set_views(views_);
-  scene_->scene.set_options(view::with(settings_, scene_->scene.options()));
-  relayout();
+  {
+    const render::VtkScene::Changes changes(scene_->scene);
+    scene_->scene.set_picture(picture_);
+    scene_->scene.set_views(views_);
+    scene_->scene.set_options(view::with(settings_, scene_->scene.options()));
+    relayout();
+    mark_place();
+  }
+  fill_plots();
   doneCurrent();
-  frame_is_true_ = false;
   meter_.add(frames::Part::Actors, frames::Meter::milliseconds_since(begin));
-  fill_canvas();
-  show_marker();
+  redraw();
+  emit view_changed();
 }
 
 bool VtkWidget::dress() {
@@ -253,22 +357,35 @@ bool VtkWidget::dress() {
   return other;
 }
 
-/// Not while a part is looked at: the picture would change its shape under the cursor.
 void VtkWidget::fill_canvas() {
-  if (!scene_ || settings_.exaggeration) return;
+  if (!scene_) return;
+  makeCurrent();
+  const bool other = fill_plots();
+  doneCurrent();
+  if (!other) return;
+  redraw();
+  emit view_changed();
+}
+
+/// Not while a part is looked at: the picture would change its shape under the cursor.
+/// @return whether the exaggeration is another now. @pre the context is current
+bool VtkWidget::fill_plots() {
+  if (settings_.exaggeration) return false;
   const bool whole = std::none_of(views_.begin(), views_.end(), [](const auto& view) { return view.has_value(); });
-  if (!whole || scene_->scene.layout().panels.size() != picture_.panels.size()) return;
+  if (!whole || scene_->scene.layout().panels.size() != picture_.panels.size()) return false;
   std::vector<geom::Box> plots;
   for (const scene::PanelLayout& panel : scene_->scene.layout().panels) plots.push_back(panel.plot);
   filling_ = view::that_fills(picture_.panels, plots);
-  if (!dress()) return;
-  makeCurrent();
-  scene_->scene.set_picture(picture_);
-  scene_->scene.set_views(views_);
-  doneCurrent();
+  if (!dress()) return false;
+  {
+    const render::VtkScene::Changes changes(scene_->scene);
+    scene_->scene.set_picture(picture_);
+    scene_->scene.set_views(views_);
+    mark_place();
+  }
   frame_is_true_ = false;
   emit exaggerated(filling_);
-  show_marker();
+  return true;
 }
 
 void VtkWidget::exaggerate(scene::Picture& picture) const {
@@ -311,6 +428,17 @@ std::size_t VtkWidget::panel_of(geom::Point place) const {
 void VtkWidget::show_marker() {
   if (!scene_) return;
   makeCurrent();
+  {
+    const render::VtkScene::Changes changes(scene_->scene);
+    mark_place();
+  }
+  doneCurrent();
+  redraw();
+  emit view_changed();
+}
+
+/// @pre the context is current
+void VtkWidget::mark_place() {
   for (std::size_t i = 0; i < picture_.panels.size(); ++i) {
     std::vector<scene::Layer> layers;
     if (place_ && i == panel_of(*place_)) {
@@ -320,9 +448,6 @@ void VtkWidget::show_marker() {
     }
     scene_->scene.set_overlay(i, layers);
   }
-  doneCurrent();
-  update();
-  emit view_changed();
 }
 
 void VtkWidget::set_layer_visible(const std::string& panel_key, const std::string& layer_key, bool visible) {
@@ -337,18 +462,18 @@ void VtkWidget::set_layer_visible(const std::string& panel_key, const std::strin
   scene_->scene.set_layer_visible(panel_key, layer_key, visible);
   doneCurrent();
   frame_is_true_ = false;
-  update();
+  redraw();
 }
 
 void VtkWidget::fit() {
   remember(view::Move::Jump);
   std::fill(views_.begin(), views_.end(), std::nullopt);
   if (!scene_) return;
-  fill_canvas();
   makeCurrent();
   scene_->scene.set_views(views_);
+  fill_plots();
   doneCurrent();
-  update();
+  redraw();
   emit view_changed();
 }
 
@@ -457,22 +582,23 @@ void VtkWidget::hurry() {
 
 void VtkWidget::come_to_rest() {
   rest_.stop();
-  if (scene_) {
-    scene_->window->SetMultiSamples(render::samples_a_pixel);
-    makeCurrent();
-    scene_->scene.let_go();
-    doneCurrent();
-  }
-  update();
+  if (!scene_ || parts_.isActive()) return;
+  scene_->window->SetMultiSamples(render::samples_a_pixel);
+  if (lacks_full_frame()) return update();
+  makeCurrent();
+  scene_->scene.let_go();
+  doneCurrent();
+  redraw();
 }
 
 void VtkWidget::move_views() {
   makeCurrent();
   hurry();
-  if (full_frame_ms_ > slow_frame && frame_is_true_) scene_->scene.hold_frame();
+  // What is drawn in parts is not what is seen.
+  if (full_frame_ms_ > slow_frame && frame_is_true_ && !scene_->scene.draws_parts()) scene_->scene.hold_frame();
   scene_->scene.set_views(views_);
   doneCurrent();
-  update();
+  redraw();
   emit view_changed();
 }
 
@@ -517,7 +643,9 @@ void VtkWidget::hold() {
   for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
 }
 
-bool VtkWidget::is_settled() const { return !scene_ || (!scene_->scene.is_waiting() && bench_.is_idle()); }
+bool VtkWidget::is_settled() const {
+  return !scene_ || (!scene_->scene.is_waiting() && bench_.is_idle() && !(isVisible() && lacks_full_frame()));
+}
 
 QRectF VtkWidget::plot(std::size_t panel) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());

@@ -4,6 +4,7 @@
 
 #include <QCursor>
 #include <QElapsedTimer>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
@@ -82,6 +83,8 @@ class VtkWidget : public QOpenGLWidget {
   [[nodiscard]] bool is_ready() const { return scene_ != nullptr; }
   /// All of the picture is shown as it is, in all its detail.
   [[nodiscard]] bool is_settled() const;
+  /// How often the page was laid out.
+  [[nodiscard]] std::size_t arrangements() const;
   /// Where the time of the frames goes.
   [[nodiscard]] frames::Meter& meter() { return meter_; }
   /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()
@@ -122,6 +125,7 @@ class VtkWidget : public QOpenGLWidget {
   void release();
   void show_picture();
   void show_marker();
+  void mark_place();
   [[nodiscard]] std::size_t panel_of(geom::Point place) const;
   void relayout();
   void pick(QPointF pixel);
@@ -135,10 +139,24 @@ class VtkWidget : public QOpenGLWidget {
   /// Axes and exaggeration as the settings say. @return whether any is another now.
   bool dress();
   void fill_canvas();
+  bool fill_plots();
   [[nodiscard]] bool all_is_seen() const;
   [[nodiscard]] bool goes_along(std::size_t panel, std::size_t moved) const;
   /// Frames are to be quick from now on, until the view has been at rest for a while.
   void hurry();
+  /// What was drawn last is not what is to be seen: it is drawn anew, and what was being drawn is not wanted.
+  void redraw();
+  void draw_at_once();
+  void begin_parts();
+  void draw_part();
+  void end_parts();
+  /// Too much for one frame that the window waits for.
+  [[nodiscard]] bool goes_in_parts() const;
+  /// What is to be drawn in parts is not seen, or as it was held.
+  [[nodiscard]] bool lacks_full_frame() const;
+  /// Of the device.
+  [[nodiscard]] QSize pixels() const;
+  void render_into(std::unique_ptr<QOpenGLFramebufferObject>& frame);
 
   theme::Canvas canvas_ = theme::Canvas::Paper;
   /// What the settings change of a panel, as it was given.
@@ -162,7 +180,16 @@ class VtkWidget : public QOpenGLWidget {
   frames::Meter meter_;
   double full_frame_ms_ = 0.0;  ///< What the last frame cost that showed the layers.
   bool frame_is_true_ = false;  ///< What was drawn last is the picture as it is now.
-  QTimer rest_;                 ///< As long as it runs the view moves, and is drawn without smoothing.
+  bool is_drawn_ = false;       ///< What was drawn last is what is to be seen, be it a frame that is held.
+  std::unique_ptr<QOpenGLFramebufferObject> shown_;    ///< What was drawn last.
+  std::unique_ptr<QOpenGLFramebufferObject> drawing_;  ///< A frame that is drawn part by part.
+  QTimer parts_;                                       ///< Runs as long as one is, and draws the next part.
+  std::size_t part_cost_ = 0;                          ///< Points and cells of a part.
+  double parts_ms_ = 0.0;                              ///< What the parts took until now,
+  double longest_part_ms_ = 0.0;                       ///< and the longest of them.
+  frames::Meter::Clock::time_point parts_began_;
+  int unseen_ = 0;  ///< Pictures that gave way to another before they were drawn.
+  QTimer rest_;     ///< As long as it runs the view moves, and is drawn without smoothing.
   enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
   bool hand_tool_ = false;                             ///< It pans all the time.
   QCursor tool_cursor_ = Qt::CrossCursor;

@@ -32,6 +32,8 @@ namespace {
 using geom::Point;
 using scene::Color;
 
+/// Triangles or points of one actor: a frame is drawn in parts of whole actors.
+constexpr std::size_t most_an_actor = 16384;
 constexpr int color_levels = 64;  // as in the files, so that both look alike
 /// Details of a line smaller than this cannot be seen.
 constexpr double seen_pixels = 0.1;
@@ -121,20 +123,25 @@ class ActorMaker {
   }
 
   void operator()(const scene::Markers& content) {
-    vtkActor& actor = add(style_.line);
-    make_round(actor);
-    const double size = style_.marker_size;
-    made_.on_view.emplace_back([&actor, size](const scene::PanelLayout&, double pixels_per_point) {
-      actor.GetProperty()->SetPointSize(static_cast<float>(size * pixels_per_point));
+    const Actors actors = add_actors(style_.line, content.points.size());
+    for (const auto& actor : actors) make_round(*actor);
+    made_.on_view.emplace_back([actors, size = style_.marker_size](const scene::PanelLayout&, double pixels_per_point) {
+      for (const auto& actor : actors) actor->GetProperty()->SetPointSize(static_cast<float>(size * pixels_per_point));
     });
-    add_shape(Shape::Follows::Nothing, {&actor}, [points = content.points, geometry = place()](const Look&) {
-      Geometry marks = geometry();
-      for (const Point& p : points) {
-        marks.add_corner(marks.add_point(p));
-        marks.end_cell();
-      }
-      return Made{marks.data(Geometry::As::Points)};
-    });
+    add_shape(Shape::Follows::Nothing, actors,
+              [points = content.points, count = actors.size(), geometry = place()](const Look&) {
+                Made made;
+                for (std::size_t k = 0; k < count; ++k) {
+                  Geometry marks = geometry();
+                  for (std::size_t i = part_begin(points.size(), k, count); i < part_begin(points.size(), k + 1, count);
+                       ++i) {
+                    marks.add_corner(marks.add_point(points[i]));
+                    marks.end_cell();
+                  }
+                  made.push_back(marks.data(Geometry::As::Points));
+                }
+                return made;
+              });
   }
 
   void operator()(const scene::Regions& content) {
@@ -171,23 +178,29 @@ class ActorMaker {
   void operator()(const scene::Mesh& content) {
     if (content.values_at != scene::ValuesAt::None || style_.fill) add_faces(content);
     if (style_.line_width <= 0.0) return;
-    vtkActor& actor = add(style_.line);
+    const Actors actors = add_actors(style_.line, content.triangles.size());
     const auto mean = std::make_shared<std::atomic<double>>(0.0);
     depth_ += 0.25;
-    add_shape(Shape::Follows::Nothing, {&actor}, [content, mean, geometry = place()](const Look&) {
+    add_shape(Shape::Follows::Nothing, actors, [content, mean, count = actors.size(), geometry = place()](const Look&) {
       *mean = scene::mean_edge_length(content);
-      Geometry edges = geometry();
-      edges.reserve(content.points.size(), 2 * content.triangles.size(), content.triangles.size());
-      for (const Point& p : content.points) edges.add_point(p);
-      for (const std::vector<std::uint32_t>& chain : scene::edge_chains(content)) {
-        for (const std::uint32_t i : chain) edges.add_corner(static_cast<std::int32_t>(i));
-        edges.end_cell();
+      const auto chains = scene::edge_chains(content);
+      PartOfMesh part(content.points);
+      Made made;
+      for (std::size_t k = 0; k < count; ++k) {
+        Geometry edges = geometry();
+        for (std::size_t c = part_begin(chains.size(), k, count); c < part_begin(chains.size(), k + 1, count); ++c) {
+          for (const std::uint32_t i : chains[c]) edges.add_corner(part.point(edges, i));
+          edges.end_cell();
+        }
+        made.push_back(edges.data(Geometry::As::Lines));
+        part.begin_next();
       }
-      return Made{edges.data(Geometry::As::Lines)};
+      return made;
     });
     made_.on_view.emplace_back(
-        [&actor, mean, style = style_](const scene::PanelLayout& place, double pixels_per_point) {
-          set_width(actor, style, scene::edge_width(*mean, style, place.transform.points_per_x) * pixels_per_point);
+        [actors, mean, style = style_](const scene::PanelLayout& place, double pixels_per_point) {
+          const double width = scene::edge_width(*mean, style, place.transform.points_per_x) * pixels_per_point;
+          for (const auto& actor : actors) set_width(*actor, style, width);
         });
   }
 
@@ -237,7 +250,40 @@ class ActorMaker {
     std::shared_ptr<const List> seen_;
   };
 
+  /// The points of a mesh as each of its parts needs them.
+  class PartOfMesh {
+   public:
+    explicit PartOfMesh(const std::vector<Point>& points) : points_(points), known_(points.size()) {}
+    std::int32_t point(Geometry& geometry, std::uint32_t i) {
+      if (known_[i].part == part_) return known_[i].at;
+      return (known_[i] = {part_, geometry.add_point(points_[i])}).at;
+    }
+    void begin_next() { ++part_; }
+
+   private:
+    struct Known {
+      std::uint32_t part = 0;
+      std::int32_t at = 0;
+    };
+    const std::vector<Point>& points_;
+    std::vector<Known> known_;
+    std::uint32_t part_ = 1;
+  };
+  using Actors = std::vector<vtkSmartPointer<vtkActor>>;
+
+  /// Where part k of so many begins.
+  static std::size_t part_begin(std::size_t all, std::size_t k, std::size_t parts) { return all * k / parts; }
+
   [[nodiscard]] Ground place() const { return {origin_, depth_}; }
+
+  Actors add_actors(const Color& color, std::size_t size) {
+    Actors actors;
+    for (std::size_t done = 0; done == 0 || done < size; done += most_an_actor) {
+      add(color);
+      actors.push_back(made_.actors.back());
+    }
+    return actors;
+  }
 
   vtkActor& add(const Color& color) {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -260,51 +306,74 @@ class ActorMaker {
   }
 
   void add_faces(const scene::Mesh& content) {
-    vtkActor& actor = add(style_.fill.value_or(Color{255, 255, 255}));
-    add_shape(Shape::Follows::Nothing, {&actor}, [content, geometry = place()](const Look&) {
-      Geometry faces = geometry();
-      faces.reserve(content.points.size(), 3 * content.triangles.size(), content.triangles.size());
-      for (const Point& p : content.points) faces.add_point(p);
-      for (const auto& triangle : content.triangles) {
-        for (const std::uint32_t i : triangle) faces.add_corner(static_cast<std::int32_t>(i));
-        faces.end_cell();
+    const Actors actors = add_actors(style_.fill.value_or(Color{255, 255, 255}), content.triangles.size());
+    add_shape(Shape::Follows::Nothing, actors, [content, count = actors.size(), geometry = place()](const Look&) {
+      PartOfMesh part(content.points);
+      Made made;
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t begin = part_begin(content.triangles.size(), k, count);
+        const std::size_t end = part_begin(content.triangles.size(), k + 1, count);
+        Geometry faces = geometry();
+        faces.reserve(end - begin, 3 * (end - begin), end - begin);
+        std::vector<double> at_points;
+        for (std::size_t t = begin; t < end; ++t) {
+          for (const std::uint32_t i : content.triangles[t]) {
+            const auto corner = part.point(faces, i);
+            faces.add_corner(corner);
+            const bool is_new = static_cast<std::size_t>(corner) == at_points.size();
+            if (is_new && content.values_at == scene::ValuesAt::Points) at_points.push_back(content.values[i]);
+          }
+          faces.end_cell();
+        }
+        part.begin_next();
+        const vtkSmartPointer<vtkPolyData> data = faces.data(Geometry::As::Polygons);
+        if (content.values_at == scene::ValuesAt::Triangles)
+          data->GetCellData()->SetScalars(colors_of(content, begin, end));
+        if (content.values_at == scene::ValuesAt::Points)
+          data->GetPointData()->SetScalars(fractions_of(content.scale, at_points));
+        made.push_back(data);
       }
-      const vtkSmartPointer<vtkPolyData> data = faces.data(Geometry::As::Polygons);
-      if (content.values_at == scene::ValuesAt::Triangles) data->GetCellData()->SetScalars(colors_of(content));
-      if (content.values_at == scene::ValuesAt::Points) data->GetPointData()->SetScalars(fractions_of(content));
-      return Made{data};
+      return made;
     });
-    vtkMapper& mapper = *actor.GetMapper();
     if (content.values_at == scene::ValuesAt::None) return;
-    actor.GetProperty()->SetOpacity(1.0);
-    mapper.ScalarVisibilityOn();
-    if (content.values_at == scene::ValuesAt::Triangles) {
-      mapper.SetScalarModeToUseCellData();
-      mapper.SetColorModeToDirectScalars();
-      return;
+    vtkSmartPointer<vtkLookupTable> table;
+    if (content.values_at == scene::ValuesAt::Points) table = table_of(content.scale);
+    for (const auto& actor : actors) {
+      actor->GetProperty()->SetOpacity(1.0);
+      vtkMapper& mapper = *actor->GetMapper();
+      mapper.ScalarVisibilityOn();
+      if (table == nullptr) {
+        mapper.SetScalarModeToUseCellData();
+        mapper.SetColorModeToDirectScalars();
+        continue;
+      }
+      mapper.SetScalarModeToUsePointData();
+      mapper.SetColorModeToMapScalars();
+      mapper.SetLookupTable(table);
+      mapper.UseLookupTableScalarRangeOn();
+      mapper.InterpolateScalarsBeforeMappingOn();
     }
-    vtkNew<vtkLookupTable> table;
-    table->SetNumberOfTableValues(color_levels);
-    for (int i = 0; i < color_levels; ++i) {
-      const Color c = scene::color_at(content.scale.map, (i + 0.5) / color_levels);
-      table->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0);
-    }
-    const Color none = scene::color_at(content.scale.map, std::nan(""));
-    table->SetNanColor(none.red / 255.0, none.green / 255.0, none.blue / 255.0, 1.0);
-    table->SetTableRange(0.0, 1.0);
-    mapper.SetScalarModeToUsePointData();
-    mapper.SetColorModeToMapScalars();
-    mapper.SetLookupTable(table);
-    mapper.UseLookupTableScalarRangeOn();
-    mapper.InterpolateScalarsBeforeMappingOn();
   }
 
-  static vtkSmartPointer<vtkDataArray> colors_of(const scene::Mesh& content) {
+  static vtkSmartPointer<vtkLookupTable> table_of(const scene::Scale& scale) {
+    auto table = vtkSmartPointer<vtkLookupTable>::New();
+    table->SetNumberOfTableValues(color_levels);
+    for (int i = 0; i < color_levels; ++i) {
+      const Color c = scene::color_at(scale.map, (i + 0.5) / color_levels);
+      table->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0);
+    }
+    const Color none = scene::color_at(scale.map, std::nan(""));
+    table->SetNanColor(none.red / 255.0, none.green / 255.0, none.blue / 255.0, 1.0);
+    table->SetTableRange(0.0, 1.0);
+    return table;
+  }
+
+  static vtkSmartPointer<vtkDataArray> colors_of(const scene::Mesh& content, std::size_t begin, std::size_t end) {
     auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colors->SetNumberOfComponents(3);
-    colors->Allocate(static_cast<vtkIdType>(3 * content.values.size()));
-    for (const double value : content.values) {
-      const Color color = scene::stepped_color(content.scale, value, color_levels);
+    colors->Allocate(static_cast<vtkIdType>(3 * (end - begin)));
+    for (std::size_t t = begin; t < end; ++t) {
+      const Color color = scene::stepped_color(content.scale, content.values[t], color_levels);
       const unsigned char rgb[3] = {color.red, color.green, color.blue};
       colors->InsertNextTypedTuple(rgb);
     }
@@ -312,11 +381,11 @@ class ActorMaker {
   }
 
   /// Not clamped: the map's ends stay flat inside a triangle that goes beyond them.
-  static vtkSmartPointer<vtkDataArray> fractions_of(const scene::Mesh& content) {
+  static vtkSmartPointer<vtkDataArray> fractions_of(const scene::Scale& scale, const std::vector<double>& values) {
     auto fractions = vtkSmartPointer<vtkFloatArray>::New();
-    const double width = content.scale.high - content.scale.low;
-    for (const double value : content.values)
-      fractions->InsertNextValue(static_cast<float>(width != 0.0 ? (value - content.scale.low) / width : 0.5));
+    const double width = scale.high - scale.low;
+    for (const double value : values)
+      fractions->InsertNextValue(static_cast<float>(width != 0.0 ? (value - scale.low) / width : 0.5));
     return fractions;
   }
 

@@ -82,11 +82,13 @@ class VtkScene::Impl {
   void overlay(std::size_t number, const std::vector<scene::Layer>& layers) {
     DOBRA_CHECK(number < panels_.size());
     Panel& panel = panels_[number];
+    if (panel.above.empty() && layers.empty()) return;
     for (const LayerActors& layer : panel.above) take_out(panel, layer);
     panel.above.clear();
     double depth = static_cast<double>(panel.layers.size());
     for (const scene::Layer& layer : layers) panel.above.push_back(make_actors(layer, panel.origin, depth++, ground_));
     for (const LayerActors& layer : panel.above) put_in(panel, layer);
+    arrange();
   }
 
   [[nodiscard]] std::vector<const vtkActor*> actors_of(std::size_t panel, std::string_view layer_key) const {
@@ -100,7 +102,18 @@ class VtkScene::Impl {
   }
 
   void arrange() {
+    end_parts(Parts::Unfinished, Arranged::No);
+    if (changes_ > 0) {
+      stale_ = true;
+      return;
+    }
+    stale_ = false;
+    lay_out();
+  }
+
+  void lay_out() {
     if (width_ <= 0 || height_ <= 0) return;
+    ++arrangements_;
     const scene::PageSize page{width_ / ratio_, height_ / ratio_};
     if (!measure_ || measured_ratio_ != ratio_) {
       measure_ = vtk_text_measure(ratio_);
@@ -111,7 +124,7 @@ class VtkScene::Impl {
     waiting_ = false;
     for (std::size_t i = 0; i < panels_.size(); ++i) aim(panels_[i], layout_.panels[i], picture_.panels[i]);
     std::vector<scene::Mark> marks = layout_.marks;
-    if (held_) std::erase_if(marks, [&](const scene::Mark& mark) { return is_in_held_frame(mark); });
+    if (shows_held_frame()) std::erase_if(marks, [&](const scene::Mark& mark) { return is_in_held_frame(mark); });
     for (scene::Mark& mark : marks) mark = scene::on_ground(std::move(mark), ground_);
     marks_->show(marks, height_, ratio_);
   }
@@ -149,8 +162,77 @@ class VtkScene::Impl {
     if (held_) arrange();
   }
 
+  [[nodiscard]] std::size_t cost() const {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const std::vector<scene::Layer>& layers = picture_.panels[i].layers;
+      for (std::size_t k = 0; k < layers.size(); ++k) {
+        if (!layers[k].visible) continue;
+        for (const auto& actor : panels_[i].layers[k].seen().actors) sum += cost_of(*actor);
+      }
+    }
+    return sum;
+  }
+
+  void begin_parts() {
+    end_parts(Parts::Unfinished, Arranged::No);
+    parted_ = true;
+    lay_out();  // with the layers in place of a held frame
+    for (Panel& panel : panels_) {
+      if (panel.frame != nullptr) panel.frame->VisibilityOff();
+      for (const Drawn& drawn : panel.layers) queue(drawn.seen());
+      for (const LayerActors& layer : panel.above) queue(layer);
+    }
+    front_->DrawOff();
+    at_ = 0;
+  }
+
+  bool next_part(std::size_t most) {
+    DOBRA_CHECK(parted_);
+    if (at_ > 0) {  // the first one clears what was there
+      background_->EraseOff();
+      for (const Panel& panel : panels_) panel.renderer->EraseOff();
+    }
+    for (std::size_t i = begin_; i < at_; ++i) queue_[i]->VisibilityOff();
+    begin_ = at_;
+    std::size_t cost = 0;
+    while (at_ < queue_.size() && (at_ == begin_ || cost + cost_of(*queue_[at_]) <= most)) {
+      cost += cost_of(*queue_[at_]);
+      queue_[at_++]->VisibilityOn();
+    }
+    const bool last = at_ == queue_.size();
+    front_->SetDraw(last);
+    return last;
+  }
+
+  enum class Arranged { Yes, No };
+  void end_parts(Parts parts, Arranged arranged) {
+    if (!std::exchange(parted_, false)) return;
+    for (const auto& actor : std::exchange(queue_, {})) actor->VisibilityOn();
+    begin_ = at_ = 0;
+    background_->EraseOn();
+    front_->DrawOn();
+    for (const Panel& panel : panels_) {
+      panel.renderer->EraseOn();
+      if (panel.frame != nullptr) panel.frame->VisibilityOn();
+    }
+    if (parts == Parts::Finished) {
+      drop_frame();
+    } else if (held_ && arranged == Arranged::Yes) {
+      arrange();
+    }
+  }
+  [[nodiscard]] bool draws_parts() const { return parted_; }
+
+  void begin_changes() { ++changes_; }
+  void end_changes() {
+    if (--changes_ == 0 && stale_) arrange();
+  }
+  [[nodiscard]] std::size_t arrangements() const { return arrangements_; }
+
   /// @return whether there was a frame.
   bool drop_frame() {
+    end_parts(Parts::Unfinished, Arranged::No);
     for (Panel& panel : panels_) {
       if (panel.frame != nullptr) panel.renderer->RemoveViewProp(panel.frame);
       panel.frame = nullptr;
@@ -177,6 +259,7 @@ class VtkScene::Impl {
   void release() {
     if (released_) return;
     released_ = true;
+    end_parts(Parts::Unfinished, Arranged::No);
     for (const Panel& panel : panels_) window_.RemoveRenderer(panel.renderer);
     window_.RemoveRenderer(front_);
     window_.RemoveRenderer(background_);
@@ -188,6 +271,7 @@ class VtkScene::Impl {
   struct Drawn {
     LayerActors now;
     std::optional<LayerActors> before;
+    [[nodiscard]] const LayerActors& seen() const { return before ? *before : now; }
     [[nodiscard]] bool is_made() const {
       return std::all_of(now.shapes.begin(), now.shapes.end(), [](const auto& shape) { return shape->made_for; });
     }
@@ -200,6 +284,21 @@ class VtkScene::Impl {
     std::vector<LayerActors> above;             ///< The overlay.
     vtkSmartPointer<vtkActor> frame = nullptr;  ///< What was drawn last, while it is held.
   };
+
+  static std::size_t cost_of(vtkActor& actor) {
+    const vtkPolyData* data = static_cast<vtkPolyDataMapper*>(actor.GetMapper())->GetInput();
+    return data == nullptr ? 0 : static_cast<std::size_t>(const_cast<vtkPolyData*>(data)->GetNumberOfCells());
+  }
+
+  void queue(const LayerActors& layer) {
+    for (const auto& actor : layer.actors) {
+      if (actor->GetVisibility() == 0) continue;
+      actor->VisibilityOff();
+      queue_.push_back(actor);
+    }
+  }
+
+  [[nodiscard]] bool shows_held_frame() const { return held_ && !parted_; }
 
   void set_background(vtkRenderer& renderer) const {
     const scene::Color& c = ground_.paper;
@@ -301,7 +400,7 @@ class VtkScene::Impl {
 
   /// Shows or hides a layer, with its shapes as the view wants them.
   void settle(Panel& panel, Drawn& drawn, bool visible, const scene::PanelLayout& place) {
-    const bool shown = visible && panel.frame == nullptr;
+    const bool shown = visible && (panel.frame == nullptr || parted_);
     if (shown) refresh(drawn.now, place);
     if (drawn.before && (!visible || drawn.is_made())) {
       take_out(panel, *drawn.before);
@@ -376,6 +475,12 @@ class VtkScene::Impl {
   std::uint64_t requests_ = 0;
   bool waiting_ = false;
   bool held_ = false;
+  bool parted_ = false;
+  std::vector<vtkSmartPointer<vtkActor>> queue_;  ///< What the parts draw, one after the other.
+  std::size_t begin_ = 0, at_ = 0;                ///< The part that is drawn next.
+  int changes_ = 0;                               ///< Those under way,
+  bool stale_ = false;                            ///< and whether they have changed anything.
+  std::size_t arrangements_ = 0;
 };
 
 VtkScene::VtkScene(vtkRenderWindow& window, const scene::LayoutOptions& options)
@@ -415,7 +520,6 @@ void VtkScene::set_layer_visible(std::string_view panel_key, std::string_view la
 
 void VtkScene::set_overlay(std::size_t panel, const std::vector<scene::Layer>& layers) {
   impl_->overlay(panel, layers);
-  impl_->arrange();
 }
 
 std::vector<const vtkActor*> VtkScene::actors_of(std::size_t panel, std::string_view layer_key) const {
@@ -474,5 +578,21 @@ void VtkScene::let_go() {
 }
 
 bool VtkScene::holds_frame() const { return impl_->holds_frame(); }
+
+std::size_t VtkScene::cost() const { return impl_->cost(); }
+
+void VtkScene::begin_parts() { impl_->begin_parts(); }
+
+bool VtkScene::next_part(std::size_t cost) { return impl_->next_part(cost); }
+
+void VtkScene::end_parts(Parts parts) { impl_->end_parts(parts, Impl::Arranged::Yes); }
+
+bool VtkScene::draws_parts() const { return impl_->draws_parts(); }
+
+VtkScene::Changes::Changes(VtkScene& scene) : scene_(scene) { scene_.impl_->begin_changes(); }
+
+VtkScene::Changes::~Changes() { scene_.impl_->end_changes(); }
+
+std::size_t VtkScene::arrangements() const { return impl_->arrangements(); }
 
 }  // namespace dobra::render

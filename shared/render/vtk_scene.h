@@ -82,6 +82,34 @@ class VtkScene {
   void let_go();
   [[nodiscard]] bool holds_frame() const;
 
+  /// Points and cells of the layers that are shown, also where a held frame stands for them.
+  [[nodiscard]] std::size_t cost() const;
+  /// From here to end_parts(), each Render() of the window draws a part of the layers over the parts before it, so that
+  /// a frame of many points leaves room for other things between its parts. A held frame is out of sight meanwhile.
+  /// Whatever changes the scene ends the parts, as Unfinished. @pre nothing else draws into the window meanwhile
+  void begin_parts();
+  /// The next Render() draws up to so many points and cells, and what is over the layers with the last of them.
+  /// @return whether it is the last. @pre draws_parts()
+  bool next_part(std::size_t cost);
+  enum class Parts { Finished, Unfinished };
+  /// Render() draws all again. Unfinished: plots show the held frame again, if there was one; else it is let go.
+  void end_parts(Parts parts);
+  [[nodiscard]] bool draws_parts() const;
+
+  /// What is changed as long as one of these lives is laid out once, at its end.
+  class Changes {
+   public:
+    explicit Changes(VtkScene& scene);
+    ~Changes();
+    Changes(const Changes&) = delete;
+    Changes& operator=(const Changes&) = delete;
+
+   private:
+    VtkScene& scene_;
+  };
+  /// How often the page was laid out.
+  [[nodiscard]] std::size_t arrangements() const;
+
   /// Size of the window in its own pixels; page units are `device_pixel_ratio` pixels each.
   void resize(int width, int height, double device_pixel_ratio);
 

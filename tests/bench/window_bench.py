@@ -5,8 +5,10 @@
 
 Each document is opened in the window under xvfb-run (1280 x 800), edited there once, and run on the command line. Printed
 are seconds and resident memory at most of both, the longest time in which the window answered nothing, until the document
-was opened (the first picture, for which OpenGL starts, among it) and after the edit, and
+was opened (the first picture, for which OpenGL starts, among it) and after the edit, whatever it was busy with, and
 
+- full frame: how long the longest frame in full detail took from its beginning to its end, and in brackets for how much
+  of that the window was deaf at once: one of many points is drawn in parts, between which the window hears,
 - frames: how many a second reach the screen while a mouse pans the picture for two seconds at 120 Hz,
 - states: how many different restored sections a second reach the screen while a mouse drags a vertex of fold.toml so,
 - same: whether the report.json of the window and of the command line are the same bytes.
@@ -84,8 +86,9 @@ def measure(bin_folder, what, folder):
     binary = os.path.join(bin_folder, program)
     script = os.path.join(folder, 'script.txt')
     with open(script, 'w') as out:
-        out.write(f'wait\nlongest-gap {folder}/open\nreport {folder}/report.json\n{edit}\nwait\n'
-                  f'longest-gap {folder}/edit\nframes {folder}/frames\nwait\n{states}screenshot {folder}/shot.png\nquit\n')
+        out.write(f'wait\nlongest-gap {folder}/open\nfull-frame {folder}/full_open\nreport {folder}/report.json\n'
+                  f'{edit}\nwait\nlongest-gap {folder}/edit\nfull-frame {folder}/full_edit\n'
+                  f'frames {folder}/frames\nwait\n{states}screenshot {folder}/shot.png\nquit\n')
     line, line_mb = measured([binary, 'run', scenario, '--quiet', '--out', os.path.join(folder, 'out')])
     window, window_mb = measured(['xvfb-run', '-a', '-s', '-screen 0 1280x800x24', binary, scenario, '--script', script])
 
@@ -93,9 +96,12 @@ def measure(bin_folder, what, folder):
         path = os.path.join(folder, name)
         return open(path).read().strip() if os.path.exists(path) else '-'
 
+    def frame(name):
+        return '{} ({})'.format(*said(name).split())
+
     same = 'yes' if said('report.json') == said('out/report.json') else 'NO'
     print(f'| {what} | {line:.1f} | {line_mb:.0f} | {window:.1f} | {window_mb:.0f} | {said("open")} | {said("edit")} | '
-          f'{said("frames")} | {said("states")} | {same} |', flush=True)
+          f'{frame("full_open")} | {frame("full_edit")} | {said("frames")} | {said("states")} | {same} |', flush=True)
 
 
 def first_point_inside(file):
@@ -107,8 +113,9 @@ def first_point_inside(file):
 def main():
     bin_folder = os.path.abspath(sys.argv[1])
     print(f'Load of the machine at the start: {os.getloadavg()[0]:.1f}, {os.cpu_count()} cores.\n')
-    print('| document | command line s | MB | window s | MB | deaf ms on opening | on an edit | frames | states | same |')
-    print('|---|---|---|---|---|---|---|---|---|---|')
+    print('| document | command line s | MB | window s | MB | deaf ms on opening | on an edit | full frame ms on opening | '
+          'on an edit | frames | states | same |')
+    print('|' + 12 * '---|')
     for what in sys.argv[2:] or ['fold', '10x1000', '1000000t', '100x10000']:
         with tempfile.TemporaryDirectory() as folder:
             measure(bin_folder, what, folder)

@@ -19,12 +19,24 @@ void for_each_line(const scene::Panel& panel, Visitor&& visit) {
   }
 }
 
-template <class Visitor>
-void for_each_marker(const scene::Panel& panel, Visitor&& visit) {
-  for (const scene::Layer& layer : panel.layers) {
-    const auto* markers = std::get_if<scene::Markers>(&layer.content);
-    for (std::uint32_t i = 0; markers != nullptr && i < markers->points.size(); ++i)
-      visit(scene::Pick{layer.key, markers->ids.empty() ? i : markers->ids[i]}, markers->points[i]);
+const std::vector<geom::Polyline>& items_of(const scene::Lines& lines) { return lines.lines; }
+const std::vector<geom::Point>& items_of(const scene::Markers& markers) { return markers.points; }
+
+/// The items that have the same identity and place in two layers.
+template <class Content>
+void add_same(const scene::Layer& layer, const scene::Layer& input, std::set<scene::Pick>& same) {
+  const auto* here = std::get_if<Content>(&layer.content);
+  const auto* there = std::get_if<Content>(&input.content);
+  if (here == nullptr || there == nullptr) return;
+  const auto id_of = [](const Content& content, std::size_t i) {
+    return content.ids.empty() ? static_cast<std::uint32_t>(i) : content.ids[i];
+  };
+  std::map<std::uint32_t, std::size_t> known;
+  for (std::size_t i = 0; i < items_of(*there).size(); ++i) known[id_of(*there, i)] = i;
+  for (std::size_t i = 0; i < items_of(*here).size(); ++i) {
+    const auto found = known.find(id_of(*here, i));
+    if (found != known.end() && items_of(*here)[i] == items_of(*there)[found->second])
+      same.insert({layer.key, id_of(*here, i)});
   }
 }
 
@@ -108,24 +120,20 @@ void tell_once(std::vector<scene::Panel>& panels) {
 }  // namespace
 
 std::set<scene::Pick> lines_of_input(const scene::Panel& panel, const Outcome& outcome) {
-  std::map<scene::Pick, const geom::Polyline*> shown;
-  for_each_line(panel, [&](const scene::Pick& pick, const geom::Polyline& line) { shown[pick] = &line; });
-  std::set<scene::Pick> same;
-  for (const scene::Panel& of_input : outcome.input->panels) {
-    for_each_line(of_input, [&](const scene::Pick& pick, const geom::Polyline& line) {
-      for (const scene::Pick& known : {pick, scene::Pick{ghost + pick.layer, pick.id}}) {
-        const auto found = shown.find(known);
-        if (found != shown.end() && *found->second == line) same.insert(known);
-      }
-    });
+  // A result may have a million items that the input has none of: only layers of its keys are looked at.
+  std::map<std::string, std::vector<const scene::Layer*>> of_key;
+  for (const scene::Panel& input : outcome.input->panels) {
+    for (const scene::Layer& layer : input.layers) of_key[layer.key].push_back(&layer);
   }
-  std::map<scene::Pick, geom::Point> marked;
-  for_each_marker(panel, [&](const scene::Pick& pick, geom::Point at) { marked[pick] = at; });
-  for (const scene::Panel& of_input : outcome.input->panels) {
-    for_each_marker(of_input, [&](const scene::Pick& pick, geom::Point at) {
-      const auto found = marked.find(pick);
-      if (found != marked.end() && found->second == at) same.insert(pick);
-    });
+  std::set<scene::Pick> same;
+  for (const scene::Layer& layer : panel.layers) {
+    const std::string key = of_input({layer.key, 0}).layer;
+    const auto known = of_key.find(key);
+    if (known == of_key.end()) continue;
+    for (const scene::Layer* other : known->second) {
+      add_same<scene::Lines>(layer, *other, same);
+      if (key == layer.key) add_same<scene::Markers>(layer, *other, same);
+    }
   }
   return same;
 }

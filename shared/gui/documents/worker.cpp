@@ -99,6 +99,17 @@ void Worker::cancel() {
   token_.cancel();
 }
 
+void Worker::find_names(const scenario::State& state, const std::string& what) {
+  asked_[what] = state;
+  QMetaObject::invokeMethod(bench_, [this, state, what] {
+    std::vector<std::string> names = program_.names_of(state, what);
+    const auto tell = [this, state, what, names = std::move(names)] {
+      if (asked_[what] == state) emit names_found(what, names);
+    };
+    QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+  });
+}
+
 void Worker::start(DocumentPtr document) {
   busy_ = true;
   token_ = base::CancelToken();

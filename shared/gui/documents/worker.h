@@ -6,7 +6,10 @@
 #include <QObject>
 #include <QThread>
 #include <QTimer>
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "shared/base/progress.h"
 #include "shared/gui/documents/history.h"
@@ -44,11 +47,15 @@ class Worker : public QObject {
   /// The run ends as soon as its operation looks; `finished` then says Cancelled.
   void cancel();
   [[nodiscard]] bool busy() const { return busy_; }
+  /// Asks what of a state is called `what` (Program::names_of); `names_found` tells it, unless the same is asked of
+  /// another state before.
+  void find_names(const scenario::State& state, const std::string& what);
 
  signals:
   void started();
   void progress(double fraction, const QString& what);
   void finished(const dobra::gui::documents::OutcomePtr& outcome);
+  void names_found(const std::string& what, const std::vector<std::string>& names);
 
  private:
   void start(DocumentPtr document);
@@ -62,6 +69,8 @@ class Worker : public QObject {
   QObject* bench_;  ///< Lives in the thread; work is posted to it.
   base::CancelToken token_;
   DocumentPtr waiting_;
+  /// The state that was asked for last, by what was asked; touched by the window's thread only.
+  std::map<std::string, scenario::State> asked_;
   QTimer patience_;  ///< Runs as long as a run counts as short.
   bool busy_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include <QShortcut>
 #include <QString>
+#include <algorithm>
 #include <utility>
 
 #include "shared/base/text.h"
@@ -23,6 +24,12 @@ void Meter::count_frame() {
   const Clock::time_point now = Clock::now();
   recent_.push_back(now);
   while (now - recent_.front() > std::chrono::seconds(1)) recent_.pop_front();
+}
+
+void Meter::add_full_frame(double milliseconds, double deaf) {
+  ++full_frames_;
+  longest_.milliseconds = std::max(longest_.milliseconds, milliseconds);
+  longest_.deaf = std::max(longest_.deaf, deaf);
 }
 
 void Meter::expect_state() { new_state_ = true; }

@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <deque>
+#include <utility>
 
 namespace dobra::gui::frames {
 
@@ -29,6 +30,21 @@ class Meter : public QObject {
   /// The next frame shows another state of the document.
   void expect_state();
 
+  /// A frame in full detail: what it took from its beginning to its end, and the longest time that nothing else was
+  /// heard meanwhile. One that is drawn in parts begins before; until it ends, the next that begins takes its place.
+  void begin_full_frame() { ++begun_; }
+  void add_full_frame(double milliseconds, double deaf);
+  /// Frames in parts that were begun.
+  [[nodiscard]] std::size_t begun() const { return begun_; }
+  /// The longest since this was asked last.
+  struct FullFrame {
+    double milliseconds = 0.0;
+    double deaf = 0.0;
+  };
+  FullFrame take_longest_frame() { return std::exchange(longest_, {}); }
+  /// Those that came to their end, in one or in parts.
+  [[nodiscard]] std::size_t full_frames() const { return full_frames_; }
+
   /// The last of each part, milliseconds.
   [[nodiscard]] double last(Part part) const { return last_[static_cast<std::size_t>(part)]; }
   /// Frames that were shown since the meter was made, and those of them that showed another state.
@@ -46,6 +62,9 @@ class Meter : public QObject {
   std::array<double, part_count> last_{};
   std::size_t frames_ = 0;
   std::size_t states_ = 0;
+  std::size_t begun_ = 0;
+  std::size_t full_frames_ = 0;
+  FullFrame longest_;
   bool new_state_ = false;
   std::deque<Clock::time_point> recent_;
 };
