@@ -48,9 +48,24 @@ class Situations : public testing::TestWithParam<Look> {
     window_.reset();
   }
 
+  static std::string about_of(const std::string& program) {
+    if (program.starts_with("recon")) return "Restores deformed geological sections.";
+    return "Prepares finite-element meshes of fractured plane solids.";
+  }
+  static std::vector<gui::welcome::Example> examples_of(const std::string& program) {
+    std::vector<gui::welcome::Example> all;
+    if (program.starts_with("recon")) {
+      all.push_back({"fold.toml", "Fold train", "Five horizons restored to a datum by constant thickness."});
+      all.push_back({"chain.toml", "Flattened and folded again", "A chain of two restorations, there and back."});
+      all.push_back({"thrust.toml", "Thrust with a ramp", "A fault-bend fold moved back along its thrust."});
+    } else {
+      all.push_back({"edge_crack.toml", "Edge crack in tension", "Mesh, analysis and stress intensity factors."});
+    }
+    return all;
+  }
   /// A window with the example, at rest; without one where that is empty.
   void open(const std::string& program, const std::string& example = {}) {
-    window_ = std::make_unique<gui::MainWindow>(test::program_of(program));
+    window_ = std::make_unique<gui::MainWindow>(test::program_of(program), about_of(program), examples_of(program));
     window_->resize(1280, 800);
     window_->show();
     window_->activateWindow();
@@ -115,10 +130,22 @@ class Situations : public testing::TestWithParam<Look> {
             << situation << ": the tab " << tabs->tabText(i).toStdString();
       }
     }
+    // What a tool waits for is read whole, or at least under the pointer where the window is narrow.
+    for (const QLabel* hint : window.findChildren<QLabel*>("status.hint")) {
+      const int needed = hint->fontMetrics().horizontalAdvance(hint->text());
+      EXPECT_TRUE(needed <= hint->width() || window.width() < 1280)
+          << situation << ": the hint " << hint->text().toStdString() << " has " << hint->width() << " of " << needed;
+      EXPECT_EQ(hint->toolTip(), hint->text()) << situation;
+    }
     for (QWidget* each : window.findChildren<QWidget*>()) {
       if (!each->isVisible() || each->width() == 0) continue;
       QString words;
       if (const auto* label = qobject_cast<QLabel*>(each)) words = label->wordWrap() ? QString() : label->text();
+      if (const auto* label = qobject_cast<QLabel*>(each); label != nullptr && label->wordWrap()) {
+        const int lines = label->heightForWidth(label->width());
+        EXPECT_LE(lines, label->height() + 1) << situation << ": " << label->objectName().toStdString()
+                                              << " shows a part of " << label->text().toStdString();
+      }
       if (const auto* button = qobject_cast<QAbstractButton*>(each)) words = button->text();
       if (const auto* choice = qobject_cast<QComboBox*>(each)) words = choice->currentText();
       if (words.isEmpty() || each->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;
@@ -154,6 +181,10 @@ TEST_P(Situations, TheBeginning) {
 TEST_P(Situations, ARestoredSection) {
   open("recon/", "fold.toml");
   take("02_restored");
+  act("look.input");
+  point({3450, 1150});
+  take("02_pointed");
+  act("look.result");
 }
 
 TEST_P(Situations, BesideTheInputWithFaults) {
