@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
 #ifdef DOBRA_WITH_GUI
   dobra::cli::WindowOptions options;
   window.add_options = [&](CLI::App& app) { dobra::cli::add_window_options(app, options); };
+  window.tells_missing_files = [&] { return options.script.empty() && dobra::gui::has_display(); };
   window.open = [&](const std::optional<std::filesystem::path>& file) {
     dobra::gui::WindowOptions ours;
     ours.language = options.language;

@@ -17,6 +17,7 @@
 #include "shared/io/meshes/vtu.h"
 #include "shared/mesh/order2.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/decimal_mark.h"
 
 namespace quebra::core {
 namespace {
@@ -411,24 +412,27 @@ scene::Picture histogram_picture(const model::Meshed& meshed) {
     const geom::Polyline bar{{{left, 0.0}, {left + width, 0.0}, {left + width, share}, {left, share}}, true};
     const scene::Color color = scene::color_of({{}, scene::ColorMapName::Quality, 0.5, 1.0}, left + 0.5 * width);
     scene::Layer layer{fmt::format("bin_{}", i),
-                       fmt::format("{:.2f} - {:.2f}", left, left + width),
+                       scene::with_decimal_mark(fmt::format("{:.2f} - {:.2f}", left, left + width)),
                        {.line = ink, .line_width = 0.5, .fill = color},
                        scene::Regions{{{{bar}}}}};
     layer.in_legend = scene::InLegend::No;
     panel.layers.push_back(std::move(layer));
   }
+  const auto shown = [](const char* what, double value) {
+    return fmt::format("{} {}", translated(what), scene::with_decimal_mark(fmt::format("{:.3f}", value)));
+  };
   const auto mark = [&](const char* key, const std::string& title, double alpha, scene::Dash dash) {
     panel.layers.push_back({key,
                             title,
                             {.line = ink, .line_width = 1.0, .dash = dash},
                             scene::Lines{{{{{alpha, 0.0}, {alpha, highest}}, false}}}});
   };
-  mark("mean", fmt::format("{} {:.3f}", translated("mean"), q.alpha_mean), q.alpha_mean, scene::Dash::Dashed);
-  mark("least", fmt::format("{} {:.3f}", translated("least"), q.alpha_min), q.alpha_min, scene::Dash::Dotted);
+  mark("mean", shown("mean", q.alpha_mean), q.alpha_mean, scene::Dash::Dashed);
+  mark("least", shown("least", q.alpha_min), q.alpha_min, scene::Dash::Dotted);
   // Of bent elements and quadrilaterals the least scaled Jacobian on the same axis, both from 0 to 1.
   if (meshed.elements.worst_jacobian.valid()) {
     const double least = meshed.elements.jacobian_min;
-    mark("jacobian", fmt::format("{} {:.3f}", translated("least scaled Jacobian"), least), least, scene::Dash::Solid);
+    mark("jacobian", shown("least scaled Jacobian", least), least, scene::Dash::Solid);
   }
   panel.extent = geom::Box{{0.0, 0.0}, {1.0, 1.05 * highest}};
   scene::Picture picture;

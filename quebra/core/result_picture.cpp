@@ -9,6 +9,7 @@
 #include "quebra/core/layers.h"
 #include "shared/base/text.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/decimal_mark.h"
 
 // 1. Points of the picture: a node once for each region that it belongs to, moved by its displacement. 2. Colours.
 // 3. Contours: where the sides of the drawn triangles pass a level, joined into lines. 4. Outlines, marks, panel.
@@ -303,7 +304,9 @@ scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_cas
   scene::Panel panel{.key = "analysis"};
   panel.title = fmt::format("{}: {}", analysis.solution.cases[load_case].name, title_of(params.field));
   if (params.cycle > 0) panel.title = shown_name(analysis.meshed->name) + ", " + panel.title;
-  if (factor > 0.0) panel.title += fmt::format(", {}\u00a0\u00d7\u00a0{:g}", translated("displacements"), factor);
+  if (factor > 0.0)
+    panel.title += fmt::format(", {}\u00a0\u00d7\u00a0{}", translated("displacements"),
+                               dobra::scene::with_decimal_mark(fmt::format("{:g}", factor)));
   panel.title += fmt::format("; eta\u00a0{:.2g}\u00a0%", 100.0 * analysis.fields[load_case].estimate.eta);
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content,
                        scene::InLegend legend) {

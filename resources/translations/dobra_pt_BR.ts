@@ -417,15 +417,15 @@
     </message>
     <message>
         <source>Pin line</source>
-        <translation>Linha de fixação</translation>
+        <translation>Linha de pino</translation>
     </message>
     <message>
         <source>Pin</source>
-        <translation>Ponto fixo</translation>
+        <translation>Pino</translation>
     </message>
     <message>
         <source>pin</source>
-        <translation>ponto fixo</translation>
+        <translation>pino</translation>
     </message>
     <message>
         <source>Restored section</source>
@@ -437,11 +437,11 @@
     </message>
     <message>
         <source>Target grid</source>
-        <translation>Malha de destino</translation>
+        <translation>Malha do alvo</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation>Destino</translation>
+        <translation>Alvo</translation>
     </message>
     <message>
         <source>Source grid</source>
@@ -457,11 +457,11 @@
     </message>
     <message>
         <source>The geometry to which the top is restored, a datum or a line, held at a pin.</source>
-        <translation>A geometria para a qual o topo é restaurado, um datum ou uma linha, presa em um ponto fixo.</translation>
+        <translation>A geometria para a qual o topo é restaurado, um datum ou uma linha, presa em um pino.</translation>
     </message>
     <message>
         <source>Carries every point of the section from the source grid to the target grid.</source>
-        <translation>Leva cada ponto da seção da malha de origem para a malha de destino.</translation>
+        <translation>Leva cada ponto da seção da malha de origem para a malha do alvo.</translation>
     </message>
     <message>
         <source>Offset curves of a boundary, as internal constraints that grade the mesh.</source>
@@ -693,7 +693,7 @@
     </message>
     <message>
         <source>Pin on the target</source>
-        <translation>Ponto fixo no destino</translation>
+        <translation>Pino no alvo</translation>
     </message>
     <message>
         <source>Points of the line</source>
@@ -821,7 +821,7 @@
     </message>
     <message>
         <source>x of the pin</source>
-        <translation>x do ponto fixo</translation>
+        <translation>x do pino</translation>
     </message>
     <message>
         <source>A .poly file of Triangle with the boundary, in place of curves or beside them.</source>
@@ -833,7 +833,7 @@
     </message>
     <message>
         <source>By default that of the top at the pin.</source>
-        <translation>Por padrão, a do topo no ponto fixo.</translation>
+        <translation>Por padrão, a do topo no pino.</translation>
     </message>
     <message>
         <source>D_k = factor D_(k-1) + first distance; 1 spaces the curves equally.</source>
@@ -1005,7 +1005,7 @@
     </message>
     <message>
         <source>The point to which the pin goes; by default the one with the same x.</source>
-        <translation>O ponto para onde vai o ponto fixo; por padrão o de mesmo x.</translation>
+        <translation>O ponto para onde vai o pino; por padrão o de mesmo x.</translation>
     </message>
     <message>
         <source>Vertices of a line or polygon; first and last point of an arc.</source>
@@ -3361,7 +3361,7 @@
     </message>
     <message>
         <source>Click points: length and dip of each way, and from the third point on the area</source>
-        <translation>Clique em pontos: comprimento e mergulho de cada trecho e, a partir do terceiro ponto, a área</translation>
+        <translation>Clique em pontos: comprimento e mergulho de cada trecho; a partir do terceiro, a área</translation>
     </message>
     <message>
         <source>A closed line needs three points that do not lie in line</source>
@@ -3561,7 +3561,7 @@
     </message>
     <message>
         <source>Click a line, or drag a box round lines; drag a vertex to move it, Delete removes it</source>
-        <translation>Clique numa linha, ou arraste uma caixa em volta de linhas; arraste um vértice para movê-lo, Delete o remove</translation>
+        <translation>Clique numa linha ou arraste uma caixa; arraste um vértice para movê-lo; Delete remove</translation>
     </message>
     <message>
         <source>Move vertex</source>
@@ -4908,7 +4908,7 @@
     </message>
     <message>
         <source>(at %1, %2)</source>
-        <translation>(em %1, %2)</translation>
+        <translation>(em %1; %2)</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -5421,6 +5421,38 @@
     <message>
         <source>line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; circle: centre and radius; spline: smooth through the points, closed if the last repeats the first; bezier: cubics end to end, by their vertices.</source>
         <translation>line: uma cadeia de pontos; polygon: fechada; arc: centro e dois pontos, ou centro, raio, início e varredura; circle: centro e raio; spline: suave pelos pontos, fechada se o último repete o primeiro; bezier: cúbicas ponta a ponta, por seus vértices.</translation>
+    </message>
+    <message>
+        <source>Text of the file</source>
+        <translation>Texto do arquivo</translation>
+    </message>
+    <message>
+        <source>Save and open</source>
+        <translation>Salvar e abrir</translation>
+    </message>
+    <message>
+        <source>Nothing is written as long as the text cannot be read</source>
+        <translation>Nada é gravado enquanto o texto não puder ser lido</translation>
+    </message>
+    <message>
+        <source>Open another file...</source>
+        <translation>Abrir outro arquivo...</translation>
+    </message>
+    <message>
+        <source>Leave the file as it is</source>
+        <translation>Deixar o arquivo como está</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 não pode ser lido</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file meanwhile. Save again to replace what it wrote.</source>
+        <translation>Outro programa alterou o arquivo nesse meio-tempo. Salve de novo para substituir o que ele gravou.</translation>
+    </message>
+    <message>
+        <source>The text of %1 has changes that are not saved.</source>
+        <translation>O texto de %1 tem alterações que não foram salvas.</translation>
     </message>
 </context>
 </TS>

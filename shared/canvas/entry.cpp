@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -15,8 +13,6 @@
 namespace dobra::canvas {
 
 namespace {
-
-std::atomic<DecimalMark> current_mark = DecimalMark::Point;
 
 base::Error bad(std::string message) { return {base::ErrorCode::BadValue, std::move(message)}; }
 
@@ -73,17 +69,6 @@ base::Result<geom::Point> polar(std::string_view text, std::string_view body, ge
 }
 
 }  // namespace
-
-void set_decimal_mark(DecimalMark mark) { current_mark = mark; }
-DecimalMark decimal_mark() { return current_mark; }
-
-std::string with_decimal_mark(std::string text) {
-  const auto digit = [&](std::size_t i) { return std::isdigit(static_cast<unsigned char>(text[i])) != 0; };
-  for (std::size_t i = 1; decimal_mark() == DecimalMark::Comma && i + 1 < text.size(); ++i) {
-    if (text[i] == '.' && digit(i - 1) && digit(i + 1)) text[i] = ',';
-  }
-  return text;
-}
 
 base::Result<geom::Point> parse_entry(std::string_view text, const EntryContext& context) {
   std::string_view body = base::trimmed(text);

@@ -7,17 +7,15 @@
 
 #include "shared/base/result.h"
 #include "shared/geom/point.h"
+#include "shared/scene/decimal_mark.h"
 
 namespace dobra::canvas {
 
-/// What the user's language writes before the decimals. Both are read where the text leaves no doubt.
-enum class DecimalMark { Point, Comma };
-
-/// Of all that is shown beside the cursor from now on; Point until then.
-void set_decimal_mark(DecimalMark mark);
-DecimalMark decimal_mark();
-/// The text with the user's mark in the place of points between digits.
-std::string with_decimal_mark(std::string text);
+/// Both marks are read where the text leaves no doubt.
+using scene::decimal_mark;
+using scene::DecimalMark;
+using scene::set_decimal_mark;
+using scene::with_decimal_mark;
 
 struct EntryContext {
   std::optional<geom::Point> last = std::nullopt;      ///< The place before.

@@ -43,8 +43,10 @@ std::string selection_text(const Workspace& work) {
   }
   if (lines == 0) return {};
   const std::string who = lines == 1 && !name.empty() ? name : fmt::format(fmt::runtime(translated("{} lines")), lines);
-  return with_decimal_mark(fmt::format(fmt::runtime(translated("{}: {:.6g} {}, {} vertices")), who,
-                                       length / work.unit.size, work.unit.name, vertices));
+  // The name is the user's own, with its points.
+  std::string told = with_decimal_mark(fmt::format(fmt::runtime(translated("{}: {:.6g} {}, {} vertices")), '\0',
+                                                   length / work.unit.size, work.unit.name, vertices));
+  return told.replace(told.find('\0'), 1, who);
 }
 
 std::string dip_text(const Workspace& work, const Snap& on) {

@@ -181,7 +181,8 @@ class CommandLine {
     std::optional<std::filesystem::path> file;
     if (!file_.empty()) file = file_;
     std::error_code ignored;
-    if (file && !std::filesystem::exists(*file, ignored)) {
+    const bool told = window_.tells_missing_files && window_.tells_missing_files();
+    if (file && !told && !std::filesystem::exists(*file, ignored)) {
       Session session(program_, flags_.options(), {});
       base::Place place;
       place.file = file->string();

@@ -33,6 +33,8 @@ struct Command {
 struct Window {
   std::function<int(const std::optional<std::filesystem::path>& file)> open;  ///< Empty: this build has no window.
   std::function<void(CLI::App&)> add_options = {};                            ///< Options beside FILE; may be empty.
+  /// Whether it says by itself that FILE is not there; empty: it does not.
+  std::function<bool()> tells_missing_files = {};
 };
 
 /// The whole of main(): parses, runs, prints, and returns the exit code. Catches what memory exhaustion throws.

@@ -68,7 +68,7 @@ int run_window(const scenario::Program& program, const WindowPart& part,
   MainWindow window(program, part);
   if (!options.script) window.restore_layout();
   if (file) {
-    const base::Result<void> opened = window.open(*file);
+    const base::Result<void> opened = options.script ? window.open(*file) : window.open_or_mend(*file);
     if (!opened && options.script) {
       std::fprintf(stderr, "%s\n", base::to_string(opened.error()).c_str());
       return base::exit_code(opened.error().code);

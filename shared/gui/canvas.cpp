@@ -17,6 +17,7 @@
 #include "shared/gui/documents/line_entries.h"
 #include "shared/gui/documents/shown.h"
 #include "shared/gui/messages.h"
+#include "shared/gui/sheet/overlay_painter.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
@@ -27,7 +28,6 @@ namespace dobra::gui {
 namespace {
 
 constexpr double reach = 8.0;             ///< Pixels round the cursor.
-constexpr double handle_size = 7.0;       ///< Pixels.
 constexpr double selection_margin = 0.1;  ///< Round what is zoomed to.
 
 /// A place without a snap, to a tenth of a pixel in round decimals: what a mouse can mean.
@@ -63,90 +63,20 @@ class Canvas::Sheet : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent*) override {
-    if (canvas_.work_.empty() || canvas_.panel_ >= view_.panel_count() || !view_.is_ready()) return;
+    const std::size_t panel = canvas_.panel_;
+    if (canvas_.work_.empty() || panel >= view_.panel_count() || !view_.is_ready()) return;
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setClipRect(view_.plot(canvas_.panel_));
-    draw_hovered(painter);
-    const canvas::Overlay overlay = canvas_.tool_->overlay(canvas_.work_);
-    for (const geom::Polyline& line : overlay.chosen) draw(painter, line, QPen(view_.colors().chosen, 2.5));
-    for (const geom::Polyline& line : overlay.lines) draw(painter, line, QPen(view_.colors().drawn, 1.6, Qt::DashLine));
-    for (const geom::Point at : overlay.handles) handle(painter, at, view_.colors().handle);
-    for (const geom::Point at : overlay.chosen_handles) handle(painter, at, view_.colors().chosen);
-    draw_snap(painter);
-    for (const canvas::Overlay::Text& label : overlay.texts) write(painter, label.at, text_of(label.text), 16.0);
+    const sheet::Plot plot{view_.plot(panel), [&](geom::Point p) { return view_.pixel_of(panel, p); }};
+    sheet::OverlayPainter over(painter, plot, view_.colors());
+    if (canvas_.tool_->cursor() == canvas::Cursor::Arrow && canvas_.hovered_ && canvas_.hovered_->on) {
+      const geom::Polyline* line = canvas_.work_.line(*canvas_.hovered_->on);
+      if (line != nullptr) over.glow(*line);  // where a click selects
+    }
+    const bool snapped = canvas_.pointer_ && canvas_.pointer_->snap;
+    over.draw(canvas_.tool_->overlay(canvas_.work_), snapped ? &*canvas_.pointer_->snap : nullptr);
   }
 
  private:
-  /// Where a click selects.
-  void draw_hovered(QPainter& painter) {
-    if (canvas_.tool_->cursor() != canvas::Cursor::Arrow || !canvas_.hovered_ || !canvas_.hovered_->on) return;
-    const geom::Polyline* line = canvas_.work_.line(*canvas_.hovered_->on);
-    QColor glow = view_.colors().chosen;
-    glow.setAlpha(90);
-    if (line != nullptr) draw(painter, *line, QPen(glow, 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  }
-  void draw(QPainter& painter, const geom::Polyline& line, const QPen& pen) {
-    QPolygonF pixels;
-    for (const geom::Point p : line.points) pixels.append(view_.pixel_of(canvas_.panel_, p));
-    painter.setPen(pen);
-    painter.setBrush(Qt::NoBrush);
-    if (line.closed) {
-      painter.drawPolygon(pixels);
-    } else {
-      painter.drawPolyline(pixels);
-    }
-  }
-  void handle(QPainter& painter, geom::Point at, const QColor& fill) {
-    const QPointF pixel = view_.pixel_of(canvas_.panel_, at);
-    painter.setPen(QPen(view_.colors().chosen, 1.2));
-    painter.setBrush(fill);
-    painter.drawRect(QRectF(pixel.x() - handle_size / 2, pixel.y() - handle_size / 2, handle_size, handle_size));
-  }
-  /// A mark of its own for each kind, and its name.
-  void draw_snap(QPainter& painter) {
-    if (!canvas_.pointer_ || !canvas_.pointer_->snap) return;
-    const canvas::Snap& snap = *canvas_.pointer_->snap;
-    const QPointF c = view_.pixel_of(canvas_.panel_, snap.at);
-    painter.setPen(QPen(view_.colors().snapped, 1.8));
-    painter.setBrush(Qt::NoBrush);
-    const double r = 6.0;
-    switch (snap.kind) {
-      case canvas::SnapKind::Vertex:
-        painter.drawRect(QRectF(c.x() - r, c.y() - r, 2 * r, 2 * r));
-        break;
-      case canvas::SnapKind::Intersection:
-        painter.drawLine(c + QPointF(-r, -r), c + QPointF(r, r));
-        painter.drawLine(c + QPointF(-r, r), c + QPointF(r, -r));
-        break;
-      case canvas::SnapKind::Perpendicular:
-        painter.drawPolyline(QPolygonF({c + QPointF(-r, -r), c + QPointF(-r, r), c + QPointF(r, r)}));
-        painter.drawPolyline(QPolygonF({c + QPointF(-r, 0), c, c + QPointF(0, r)}));
-        break;
-      case canvas::SnapKind::OnLine:
-      case canvas::SnapKind::Grid:
-      case canvas::SnapKind::Angle:
-        painter.drawEllipse(c, r, r);
-        break;
-    }
-    write(painter, snap.at, text_of(canvas::snap_name(snap.kind)), -12.0);
-  }
-  /// Beside a place, above or below it, within the plot.
-  void write(QPainter& painter, geom::Point at, const QString& words, double below) {
-    const QPointF pixel = view_.pixel_of(canvas_.panel_, at);
-    const QRectF plot = view_.plot(canvas_.panel_);
-    QRectF box = QFontMetricsF(painter.font()).boundingRect(QRectF(0, 0, 400, 200), Qt::AlignLeft, words);
-    box.moveTopLeft(pixel + QPointF(14.0, below < 0.0 ? below - box.height() : below));
-    if (box.right() > plot.right() - 4.0) box.moveRight(pixel.x() - 14.0);
-    box.moveBottom(std::min(box.bottom(), plot.bottom() - 4.0));
-    box.moveTop(std::max(box.top(), plot.top() + 4.0));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(view_.colors().behind_words);
-    painter.drawRoundedRect(box.adjusted(-4, -2, 4, 2), 3, 3);
-    painter.setPen(view_.colors().words);
-    painter.drawText(box, Qt::AlignLeft, words);
-  }
-
   Canvas& canvas_;
   VtkWidget& view_;
 };

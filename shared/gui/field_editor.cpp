@@ -18,10 +18,10 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "shared/base/text.h"
 #include "shared/gui/importing/file_filter.h"
+#include "shared/gui/numbers/numbers.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 
@@ -84,11 +84,11 @@ class FreeSpinBox : public QAbstractSpinBox {
   }
 
   void stepBy(int steps) override {
-    const double value = base::parse_number(lineEdit()->text().trimmed().toStdString()).value_or(0.0);
+    const double value = number().value_or(0.0);
     if (field_.kind == Kind::Integer) {
       lineEdit()->setText(QString::number(static_cast<qint64>(std::llround(within(std::round(value) + steps)))));
     } else {
-      lineEdit()->setText(QString::fromStdString(base::number_text(within(stepped(value, steps)))));
+      lineEdit()->setText(numbers::whole(within(numbers::stepped(value, steps))));
     }
     emit stepped_to();
   }
@@ -108,12 +108,15 @@ class FreeSpinBox : public QAbstractSpinBox {
   }
 
  private:
+  [[nodiscard]] std::optional<double> number() const {
+    return base::parse_number(numbers::as_parsed(Kind::Number, lineEdit()->text().trimmed()).toStdString());
+  }
   double within(double value) const {
     const scenario::FieldOptions& options = field_.options;
     if (options.at_most) value = std::min(value, *options.at_most);
     if (options.at_least) value = std::max(value, *options.at_least);
     if (options.above && value <= *options.above) {
-      const double now = base::parse_number(lineEdit()->text().toStdString()).value_or(*options.above + 1.0);
+      const double now = number().value_or(*options.above + 1.0);
       value = field_.kind == Kind::Integer ? std::floor(*options.above) + 1.0 : std::max(now, *options.above);
     }
     return value;
@@ -212,7 +215,7 @@ class LineEditor : public FieldEditor {
   }
 
   void show_value(const Values& value, Origin origin) override {
-    shown_ = value ? QString::fromStdString(plain_text(*value)) : QString();
+    shown_ = value ? numbers::field_text(field_.kind, *value) : QString();
     told_ = shown_;
     const int cursor = line_->text() == shown_ ? line_->cursorPosition() : line_->hasFocus() ? -1 : 0;
     line_->setText(shown_);
@@ -233,7 +236,8 @@ class LineEditor : public FieldEditor {
       emit emptied();
       return;
     }
-    const base::Result<Value> value = scenario::parse_value(field_, with_point(typed.trimmed()).toStdString());
+    const base::Result<Value> value =
+        scenario::parse_value(field_, numbers::as_parsed(field_.kind, typed.trimmed()).toStdString());
     if (value)
       emit entered(*value);
     else
@@ -255,17 +259,6 @@ class LineEditor : public FieldEditor {
   const Field field_;
 
  private:
-  /// A single number may have a decimal comma.
-  [[nodiscard]] QString with_point(QString typed) const {
-    const bool number = field_.kind == Kind::Number || field_.kind == Kind::Degrees;
-    if (number && typed.count(',') == 1 && !typed.contains('.')) typed.replace(',', '.');
-    return typed;
-  }
-  static std::string plain_text(const Value& value) {
-    if (const auto* word = std::get_if<std::string>(&value)) return *word;
-    return scenario::value_text(value);
-  }
-
   QLineEdit* line_ = nullptr;
   QWidget* surface_ = nullptr;
   QString shown_;  ///< The value that was last shown.
@@ -350,7 +343,7 @@ class TextEditor : public LineEditor {
       names.push_back(name);
     else
       names.erase(at);
-    type(names.empty() ? QString() : QString::fromStdString(scenario::value_text(names)));
+    type(names.empty() ? QString() : numbers::field_text(Kind::Texts, names));
   }
 
   QLineEdit* line_ = nullptr;
@@ -486,9 +479,9 @@ class PointsEditor : public FieldEditor {
   ~PointsEditor() override { disconnect(leaving_, nullptr, this, nullptr); }
   void show_value(const Values& value, Origin origin) override {
     const QString words =
-        value ? QString::fromStdString(text_of_points(std::get<scenario::Points>(*value).list())) : QString();
+        value ? QString::fromStdString(numbers::text_of_points(std::get<scenario::Points>(*value).list())) : QString();
     // The user's own layout stays while it means the same: the document comes back after each change.
-    const base::Result<std::vector<geom::Point>> typed = points_from_text(edit_->toPlainText().toStdString());
+    const base::Result<std::vector<geom::Point>> typed = numbers::points_from_text(edit_->toPlainText().toStdString());
     if (!value || !typed || Value(*typed) != *value) {
       const QSignalBlocker quiet(edit_);
       edit_->setPlainText(words);
@@ -509,7 +502,7 @@ class PointsEditor : public FieldEditor {
       emit emptied();
       return;
     }
-    base::Result<std::vector<geom::Point>> points = points_from_text(told_.toStdString());
+    base::Result<std::vector<geom::Point>> points = numbers::points_from_text(told_.toStdString());
     if (points)
       emit entered(Value(std::move(*points)));
     else
@@ -561,52 +554,6 @@ QString choice_text(const Field& field, const std::string& choice) {
   const QString words = QCoreApplication::translate("dobra", choice.c_str(), field.key.c_str());
   const bool symbol = code.indexOf('_') == 1;  // "s_xx", "b_spline"
   return words != code || symbol ? words : QString(code).replace('_', ' ');
-}
-
-base::Result<std::vector<geom::Point>> points_from_text(const std::string& written) {
-  std::vector<geom::Point> points;
-  std::istringstream lines(written);
-  std::string line;
-  for (std::size_t number = 1; std::getline(lines, line); ++number) {
-    for (char& c : line) {
-      if (c == ',' || c == ';' || c == '\t' || c == '[' || c == ']' || c == '(' || c == ')' || c == '\r') c = ' ';
-    }
-    std::istringstream words(line);
-    std::vector<double> numbers;
-    for (std::string word; words >> word;) {
-      const std::optional<double> value = base::parse_number(word);
-      if (!value || !std::isfinite(*value)) {
-        const QString said = text("line %1: '%2' is not a number").arg(number).arg(QString::fromStdString(word));
-        return base::Error{base::ErrorCode::BadValue, said.toStdString()};
-      }
-      numbers.push_back(*value);
-    }
-    if (numbers.empty()) continue;
-    if (numbers.size() != 2) {
-      const QString said = text("line %1: a point has two numbers, x and y").arg(number);
-      return base::Error{base::ErrorCode::BadValue, said.toStdString()};
-    }
-    points.push_back({numbers[0], numbers[1]});
-  }
-  return points;
-}
-
-std::string text_of_points(const std::vector<geom::Point>& points) {
-  std::string written;
-  for (const geom::Point p : points) {
-    if (!written.empty()) written += '\n';
-    written += base::number_text(p.x) + ", " + base::number_text(p.y);
-  }
-  return written;
-}
-
-double stepped(double value, int steps) {
-  if (value == 0.0) return 0.1 * steps;
-  const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
-  // Through the count of steps, so that 0.3 + 0.01 gives 0.31 and not 0.31000000000000005.
-  const double count = std::round(value / step) + steps;
-  const double inverse = std::round(1.0 / step);
-  return step < 1.0 ? count / inverse : count * step;
 }
 
 }  // namespace dobra::gui

@@ -60,14 +60,4 @@ FieldEditor* make_field_editor(const scenario::Field& field, const std::filesyst
 /// the code with blanks between its words.
 QString choice_text(const scenario::Field& field, const std::string& choice);
 
-/// Points from text: two numbers a line, separated by commas, semicolons, tabs or blanks, with or without brackets.
-/// @error BadValue with the number of the line.
-base::Result<std::vector<geom::Point>> points_from_text(const std::string& text);
-
-/// The text that points_from_text reads back to the same bits.
-std::string text_of_points(const std::vector<geom::Point>& points);
-
-/// The next "round" value from `value` in steps of a tenth to a hundredth of its size; 0 goes to +-0.1.
-double stepped(double value, int steps);
-
 }  // namespace dobra::gui

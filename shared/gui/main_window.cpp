@@ -25,6 +25,7 @@
 #include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
+#include "shared/gui/mending/page.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
@@ -92,6 +93,14 @@ void MainWindow::make_center() {
                                part_.about.empty() ? QString() : text(part_.about.c_str()), part_.examples, center);
   welcome_->hide();
   column->addWidget(welcome_, 1);
+  mending_ = new mending::Page(center);
+  mending_->hide();
+  column->addWidget(mending_, 1);
+  connect(mending_, &mending::Page::save_asked, this, &MainWindow::save_mended);
+  connect(mending_, &mending::Page::open_asked, this, &MainWindow::ask_open);
+  connect(mending_, &mending::Page::left, this, [this] {
+    if (may_discard_text()) leave_mending();
+  });
   setCentralWidget(center);
   hint_ = new QLabel(program_.drawing.add ? text("Open a scenario (Ctrl+O), drop one here, or draw the first line (L).")
                                           : text("Open a scenario (Ctrl+O), or drop one here."),

@@ -43,6 +43,9 @@ class ExaggerationBox;
 namespace vertices {
 class VertexPanel;
 }
+namespace mending {
+class Page;
+}
 namespace welcome {
 class Page;
 }
@@ -58,6 +61,9 @@ class MainWindow : public QMainWindow {
 
   /// Opens without asking about unsaved changes; what went wrong is also said in the error bar.
   base::Result<void> open(const std::filesystem::path& file);
+  /// As open. A scenario that cannot be read is shown as text, to be mended; where there is nothing to show, and no
+  /// document, the welcome page stands below the message.
+  base::Result<void> open_or_mend(const std::filesystem::path& file);
   /// One of the program's examples, as a document without a file; its input files stay in the user's folder of
   /// examples, where the document finds them wherever it is saved.
   base::Result<void> open_example(const std::string& file);
@@ -170,9 +176,15 @@ class MainWindow : public QMainWindow {
   void fill_recent_menu(QMenu& list);
   /// False if the user wants to stay with the unsaved document.
   bool may_discard();
+  /// The same of a text that is being mended.
+  bool may_discard_text();
   void about();
 
   void leave_welcome();
+  /// The text of a file that could not be read, in the place of the picture.
+  void show_mending(const std::filesystem::path& file, const std::string& text, const base::Error& error);
+  void save_mended();
+  void leave_mending();
   void show_other_document();
   /// An empty sheet to draw on.
   void show_nothing();
@@ -203,6 +215,7 @@ class MainWindow : public QMainWindow {
   ErrorBar* error_bar_ = nullptr;
   importing::TakenInBar* taken_in_bar_ = nullptr;
   welcome::Page* welcome_ = nullptr;
+  mending::Page* mending_ = nullptr;
   bool keeps_layout_ = false;
   StepList* steps_ = nullptr;
   ParameterForm* form_ = nullptr;

@@ -21,12 +21,14 @@
 #include "shared/gui/importing/taken_in_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/mending/page.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/gui/welcome/page.h"
+#include "shared/io/file.h"
 #include "shared/render/cairo.h"
 
 namespace dobra::gui {
@@ -34,12 +36,17 @@ namespace dobra::gui {
 namespace {
 
 constexpr int most_recent_files = 10;
+constexpr std::size_t most_mended_bytes = 4'000'000;  ///< What an editor of text can still show.
 constexpr const char* recent_key = "recent_files";
 constexpr const char* geometry_key = "layout/geometry";
 constexpr const char* state_key = "layout/state";
 constexpr int layout_version = 2;  ///< Of panels and bars: a layout of another version is not taken up.
 
 constexpr const char* scenario_ending = ".toml";
+
+QString text_of_another_program() {
+  return text("Another program has changed the file meanwhile. Save again to replace what it wrote.");
+}
 
 QString scenario_filter() { return importing::file_filter({{"Scenarios", {scenario_ending}}}); }
 
@@ -88,6 +95,53 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
   return {};
 }
 
+base::Result<void> MainWindow::open_or_mend(const std::filesystem::path& file) {
+  const base::Result<void> opened = open(file);
+  if (opened) return {};
+  const base::Result<std::string> text = io::read_text(file);
+  const bool scenario = QString::fromStdString(file.extension().string()).toLower() == ".toml";
+  if (text && scenario && text->size() <= most_mended_bytes)
+    show_mending(file, *text, opened.error());
+  else if (session_.document().file.empty() && documents::is_blank(session_.document(), program_))
+    welcome();
+  return opened.error();
+}
+
+void MainWindow::show_mending(const std::filesystem::path& file, const std::string& text, const base::Error& error) {
+  error_bar_->clear();  // the page says it
+  mending_->show_file(file, text, error, in_words(error));
+  welcome_->hide();
+  view_->hide();
+  mending_->show();
+}
+
+/// Nothing is written before the text can be read.
+void MainWindow::save_mended() {
+  const std::filesystem::path file = mending_->file();
+  const std::string text = mending_->written();
+  const auto readable = [&]() -> base::Result<void> {
+    DOBRA_TRY(const scenario::Document document, scenario::parse_document(text, file));
+    return scenario::check_program(document, program_);
+  }();
+  if (!readable) return mending_->show_error(readable.error(), in_words(readable.error()));
+  const base::Result<std::string> on_disk = io::read_text(file);
+  if (on_disk && *on_disk != mending_->text_of_file()) {
+    mending_->set_text_of_file(*on_disk);
+    const QString said = text_of_another_program();
+    return mending_->show_error({base::ErrorCode::CannotWrite, said.toStdString()}, said);
+  }
+  if (const base::Result<void> written = io::write_file(file, text); !written)
+    return mending_->show_error(written.error(), in_words(written.error()));
+  if (open(file)) leave_mending();
+}
+
+void MainWindow::leave_mending() {
+  if (mending_->isHidden()) return;
+  mending_->hide();
+  view_->show();
+  view_->setFocus();
+}
+
 base::Result<void> MainWindow::open_example(const std::string& file) {
   const auto begun = [&]() -> base::Result<void> {
     DOBRA_TRY(const std::filesystem::path written,
@@ -113,6 +167,7 @@ void MainWindow::begin_new() {
 }
 
 void MainWindow::welcome() {
+  mending_->hide();
   welcome_->show_recent(recent_files());
   view_->hide();
   welcome_->show();
@@ -150,6 +205,7 @@ void MainWindow::reset_layout() {
 
 void MainWindow::show_other_document() {
   leave_welcome();
+  leave_mending();
   form_->forget();
   show_form();
   // The run has only been asked for: its picture comes later.
@@ -258,7 +314,19 @@ void MainWindow::ask_save_picture() {
     show_error(written.error());
 }
 
+bool MainWindow::may_discard_text() {
+  if (mending_->isHidden() || !mending_->modified()) return true;
+  QMessageBox box(QMessageBox::Question, QString::fromStdString(program_.title),
+                  text("The text of %1 has changes that are not saved.").arg(from_path(mending_->file().filename())),
+                  QMessageBox::NoButton, this);
+  const QPushButton* discard = box.addButton(text("Discard"), QMessageBox::DestructiveRole);
+  box.addButton(text("Cancel"), QMessageBox::RejectRole);
+  box.exec();
+  return static_cast<const void*>(box.clickedButton()) == discard;
+}
+
 bool MainWindow::may_discard() {
+  if (!may_discard_text()) return false;
   form_->form()->commit();
   if (!session_.history().modified() && !form_->form()->unsettled()) return true;
   QMessageBox box(QMessageBox::Question, QString::fromStdString(program_.title),
@@ -368,7 +436,7 @@ void MainWindow::fill_recent_menu(QMenu& list) {
 }
 
 void MainWindow::open_asking(const std::filesystem::path& file) {
-  if (open(file)) offer_recovery();
+  if (open_or_mend(file)) offer_recovery();
 }
 
 void MainWindow::offer_recovery() {

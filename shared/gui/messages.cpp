@@ -5,6 +5,7 @@
 #include "shared/gui/catalogue/catalogue.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/text.h"
+#include "shared/scene/decimal_mark.h"
 
 namespace dobra::gui {
 
@@ -16,6 +17,11 @@ namespace {
 QString title_of(const Field& field) {
   const QString title = field.options.title[0] != '\0' ? text(field.options.title) : QString::fromStdString(field.key);
   return "'" + title + "'";
+}
+
+/// To find the place on the picture by.
+QString coordinate(double value) {
+  return QString::fromStdString(scene::with_decimal_mark(QString::number(value, 'g', 10).toStdString()));
 }
 
 /// The ways in which messages name a key.
@@ -69,8 +75,7 @@ QString in_words(const base::Error& error) {
   }
   if (!place.item.empty()) words += catalogue::translated(QString::fromStdString(place.item)) + ": ";
   words += catalogue::translated(QString::fromStdString(error.message));
-  if (place.x && place.y)
-    words += " " + text("(at %1, %2)").arg(QString::number(*place.x, 'g', 10), QString::number(*place.y, 'g', 10));
+  if (place.x && place.y) words += " " + text("(at %1, %2)").arg(coordinate(*place.x), coordinate(*place.y));
   return words;
 }
 

@@ -14,7 +14,9 @@
 #include "shared/base/text.h"
 #include "shared/gui/field_editor.h"
 #include "shared/gui/importing/file_filter.h"
+#include "shared/gui/labels/labels.h"
 #include "shared/gui/messages.h"
+#include "shared/gui/numbers/numbers.h"
 #include "shared/gui/tables_editor.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
@@ -51,16 +53,10 @@ constexpr int point_column = 3;
 constexpr int reset_column = 4;
 constexpr int columns = 5;
 
-constexpr int hint_lines = 3;
+constexpr int hint_lines = 4;
 
 QString unit_of(const Field& field) {
   return field.kind == Kind::Degrees ? QString::fromUtf8("°") : QString::fromStdString(field.options.unit);
-}
-
-QString number(double value) {
-  QString said = QString::fromStdString(base::number_text(value));
-  if (said.endsWith(".0")) said.chop(2);
-  return said;
 }
 
 /// A default as the editor shows it.
@@ -74,15 +70,15 @@ QString said_value(const Field& field, const QString& value) {
 QStringList range_of(const Field& field) {
   const scenario::FieldOptions& options = field.options;
   QStringList range;
-  if (options.above) range << text("greater than %1").arg(number(*options.above));
-  if (options.at_least) range << text("at least %1").arg(number(*options.at_least));
-  if (options.at_most) range << text("at most %1").arg(number(*options.at_most));
-  if (options.other_than) range << text("not %1").arg(number(*options.other_than));
+  if (options.above) range << text("greater than %1").arg(numbers::whole(*options.above));
+  if (options.at_least) range << text("at least %1").arg(numbers::whole(*options.at_least));
+  if (options.at_most) range << text("at most %1").arg(numbers::whole(*options.at_most));
+  if (options.other_than) range << text("not %1").arg(numbers::whole(*options.other_than));
   for (const std::string& word : options.words) range << QString::fromStdString(word);
   for (const scenario::FileKind& kind : options.files) range << importing::filter_of(kind);
   if (options.presence == scenario::Presence::Required) range << text("required");
   if (field.default_value) {
-    const QString value = QString::fromStdString(scenario::value_text(*field.default_value));
+    const QString value = numbers::field_text(field.kind, *field.default_value);
     if (!value.isEmpty() && value.size() < 40) range << text("default %1").arg(said_value(field, value));
   }
   return range;
@@ -94,13 +90,16 @@ QString hint_of(const Field& field) {
   if (field.options.help[0] != '\0') hint += ": " + text(field.options.help);
   QStringList range = range_of(field);
   if (!range.isEmpty() && !unit_of(field).isEmpty()) range.last() += " " + unit_of(field);
-  if (!range.isEmpty()) hint += (hint.endsWith('.') ? " " : ". ") + range.join(", ") + ".";
+  if (!range.isEmpty()) {
+    range.front()[0] = range.front()[0].toUpper();
+    hint += (hint.endsWith('.') ? " " : ". ") + range.join(", ") + ".";
+  }
   return hint;
 }
 
 QString tool_tip_of(const Field& field) {
   const scenario::FieldOptions& options = field.options;
-  const QStringList range = range_of(field);
+  QStringList range = range_of(field);
   QString tip = "<p style='white-space:pre-wrap'><b>" + QString::fromStdString(field.key).toHtmlEscaped() + "</b>";
   if (options.help[0] != '\0') tip += "<br>" + text(options.help).toHtmlEscaped();
   if (!range.isEmpty()) tip += "<br><i>" + range.join(", ").toHtmlEscaped() + "</i>";
@@ -540,10 +539,8 @@ ParameterForm::ParameterForm(QWidget* parent)
   column->addWidget(title_);
   column->addWidget(help_);
   column->addWidget(scroll_, 1);
-  hint_ = new QLabel(this);
+  hint_ = new labels::Paragraph(this);
   hint_->setObjectName("form.hint");
-  hint_->setWordWrap(true);
-  hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   hint_->setForegroundRole(QPalette::PlaceholderText);
   hint_->setContentsMargins(0, 2, 8, 2);
   // Room that is always there: a form that moved with the focus would slip from under the mouse.
@@ -605,7 +602,8 @@ void ParameterForm::show_hint(QWidget* focused) {
       hint = widget->property(hint_property).toString();
   }
   // What is looked at while a list is open or a button is pressed stays explained.
-  if (focused != nullptr && (isAncestorOf(focused) || hint.isEmpty())) hint_->setText(hint);
+  if (focused == nullptr || (!isAncestorOf(focused) && !hint.isEmpty())) return;
+  hint_->say(hint);
 }
 
 }  // namespace dobra::gui

@@ -20,6 +20,10 @@ class QVBoxLayout;
 
 namespace dobra::gui {
 
+namespace labels {
+class Paragraph;
+}
+
 class TablesEditor;
 
 /// The names in the model of what a field names ("fault").
@@ -137,7 +141,7 @@ class ParameterForm : public QWidget {
   QLabel* title_;
   QLabel* help_;
   QScrollArea* scroll_;
-  QLabel* hint_ = nullptr;
+  labels::Paragraph* hint_ = nullptr;
   TableForm* form_ = nullptr;
   bool canvas_answers_ = false;
 };

@@ -14,6 +14,7 @@
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
 #include "shared/gui/catalogue/catalogue.h"
+#include "shared/gui/numbers/numbers.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 
@@ -56,7 +57,7 @@ QString said(const scenario::Verdict& verdict) {
   const std::string& key = verdict.expect.quantity;
   if (const std::size_t at = message.find(key + " is "); verdict.found && at != std::string::npos)
     message = marked(message.substr(0, at)) + key + marked(message.substr(at + key.size()));
-  return catalogue::translated(QString::fromStdString(message));
+  return catalogue::translated(QString::fromStdString(message)).replace("+-", QString::fromUtf8("±"));
 }
 
 }  // namespace
@@ -91,6 +92,7 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QuantityTre
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
+  splitter->setSizes({600, 300});  // in that proportion, whatever the height
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(splitter);
@@ -109,7 +111,7 @@ void Results::show_quantities(const std::vector<scenario::Quantity>& quantities)
   names_ = std::move(names);
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const scenario::Quantity& quantity = quantities[i];
-    const QString value = (readable(quantity.value) + " " + QString::fromStdString(quantity.unit)).trimmed();
+    const QString value = (numbers::readable(quantity.value) + " " + numbers::unit_text(quantity.unit)).trimmed();
     if (lines_[i]->text(1) != value) lines_[i]->setText(1, value);
     const QString whole = QString::fromStdString(base::number_text(quantity.value));
     lines_[i]->setToolTip(1, whole);
@@ -172,10 +174,6 @@ void Results::clear() {
   names_.clear();
   remarks_->clear();
   remarks_->hide();  // nothing said is no stop for the keyboard
-}
-
-QString readable(double value) {
-  return QString::fromStdString(canvas::with_decimal_mark(QString::number(value, 'g', 6).toStdString()));
 }
 
 }  // namespace dobra::gui

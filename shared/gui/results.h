@@ -32,7 +32,4 @@ class Results : public QWidget {
   std::vector<QTreeWidgetItem*> lines_;  ///< their lines.
 };
 
-/// A number as a reader wants it: six significant digits.
-QString readable(double value);
-
 }  // namespace dobra::gui

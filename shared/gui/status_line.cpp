@@ -1,11 +1,11 @@
 #include "shared/gui/status_line.h"
 
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QToolButton>
 #include <cmath>
 
+#include "shared/gui/labels/labels.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/icons.h"
 
@@ -15,33 +15,14 @@ namespace {
 
 constexpr int worth_progress = 300;  ///< Milliseconds that runs take before their progress is shown.
 
-/// Takes what room there is.
-class ElidedLabel : public QLabel {
- public:
-  using QLabel::QLabel;
-  [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
-  }
-};
-
-void show_text(QLabel& label, const QString& text) {
-  label.setText(text);
-  label.setToolTip(text);
-}
-
 }  // namespace
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
-      hint_(new ElidedLabel(this)),
-      state_(new ElidedLabel(this)),
+      hint_(new labels::Line(this)),
+      state_(new labels::Line(this)),
       place_(new QLabel(this)),
-      dip_(new ElidedLabel(this)),
+      dip_(new labels::Line(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
   hint_->setObjectName("status.hint");
@@ -74,9 +55,9 @@ StatusLine::StatusLine(QWidget* parent)
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancel_asked);
 }
 
-void StatusLine::show_hint(const QString& hint) { show_text(*hint_, hint); }
-void StatusLine::show_state(const QString& state) { show_text(*state_, state); }
-void StatusLine::show_dip(const QString& dip) { show_text(*dip_, dip); }
+void StatusLine::show_hint(const QString& hint) { hint_->say(hint); }
+void StatusLine::show_state(const QString& state) { state_->say(state); }
+void StatusLine::show_dip(const QString& dip) { dip_->say(dip); }
 void StatusLine::show_place(const QString& place) { place_->setText(place); }
 
 void StatusLine::begin_run() {

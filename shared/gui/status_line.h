@@ -11,6 +11,10 @@ class QToolButton;
 
 namespace dobra::gui {
 
+namespace labels {
+class Line;
+}
+
 class StatusLine : public QStatusBar {
   Q_OBJECT
 
@@ -33,10 +37,10 @@ class StatusLine : public QStatusBar {
   void cancel_asked();
 
  private:
-  QLabel* hint_;
-  QLabel* state_;
+  labels::Line* hint_;
+  labels::Line* state_;
   QLabel* place_;
-  QLabel* dip_;
+  labels::Line* dip_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   QTimer patience_;

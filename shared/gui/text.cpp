@@ -19,7 +19,9 @@ namespace dobra::gui {
 
 void install_translation(const QString& language) {
   keep_translations();
-  if (!language.isEmpty()) QLocale::setDefault(QLocale(language));
+  QLocale numbers = language.isEmpty() ? QLocale() : QLocale(language);
+  numbers.setNumberOptions(QLocale::OmitGroupSeparator);  // it might be taken for the decimal mark
+  QLocale::setDefault(numbers);
   canvas::set_decimal_mark(QLocale().decimalPoint() == QLatin1String(",") ? canvas::DecimalMark::Comma
                                                                           : canvas::DecimalMark::Point);
   auto* translator = new QTranslator(QCoreApplication::instance());

@@ -290,6 +290,13 @@ void VtkWidget::end_parts() {
 
 void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
   for (scene::Panel& panel : picture.panels) fix_extent(panel);
+  const auto same = [](const scene::Panel& a, const scene::Panel& b) { return a.key == b.key; };
+  // What shows all in a panel of another size would cut it off, or leave it small.
+  if (held_ &&
+      !std::equal(picture.panels.begin(), picture.panels.end(), picture_.panels.begin(), picture_.panels.end(), same)) {
+    std::fill(views_.begin(), views_.end(), std::nullopt);
+    held_ = false;
+  }
   std::vector<std::optional<scene::View>> views(picture.panels.size());
   std::optional<double> scale;
   for (std::size_t i = 0; looking == Looking::WhereItDid && i < views.size(); ++i) {
@@ -304,6 +311,7 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
     if (!views[i]) views[i] = scene::View{extent ? extent->centre() : geom::Point{}, *scale};
   }
   if (looking == Looking::AtAll) history_.clear();
+  held_ = held_ && looking == Looking::WhereItDid;
   picture_ = std::move(picture);
   views_ = std::move(views);
   given_.clear();
@@ -545,9 +553,13 @@ view::Looks VtkWidget::looks() const {
   return looks;
 }
 
-void VtkWidget::remember(view::Move move) { history_.before(looks(), move, clock_.elapsed()); }
+void VtkWidget::remember(view::Move move) {
+  held_ = false;
+  history_.before(looks(), move, clock_.elapsed());
+}
 
 void VtkWidget::go_to(const view::Looks& looks) {
+  held_ = false;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     const auto at = looks.find(picture_.panels[i].key);
     views_[i] = at == looks.end() ? std::nullopt : std::optional(at->second);
@@ -639,6 +651,7 @@ std::optional<VtkWidget::Spot> VtkWidget::spot_at(QPointF pixel) const {
 
 void VtkWidget::hold() {
   if (!scene_) return;
+  held_ = held_ || std::none_of(views_.begin(), views_.end(), [](const auto& view) { return view.has_value(); });
   const std::vector<scene::View> views = scene_->scene.views();
   for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
 }

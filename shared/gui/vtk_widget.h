@@ -174,6 +174,7 @@ class VtkWidget : public QOpenGLWidget {
   std::optional<geom::Point> place_;               ///< Where the marker stands.
   std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
+  bool held_ = false;                              ///< Those views show all, and were left so by nobody's wish.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
   frames::Bench bench_;  ///< Makes what is drawn of many points.

@@ -12,13 +12,53 @@
 namespace dobra::scenario {
 namespace {
 
+constexpr int usual_digits = 6;
+constexpr int all_digits = 17;
+
+/// With no more than so many significant digits, and all of those before the point.
+std::string shown(double value, int digits) {
+  std::string text = fmt::format("{}", value);
+  const auto counted = std::count_if(text.begin(), std::find(text.begin(), text.end(), 'e'),
+                                     [](char c) { return c >= '0' && c <= '9'; });
+  if (counted <= digits || !std::isfinite(value)) return text;
+  const double size = std::abs(value);
+  if (size < 1e-4 || size >= 1e15) return fmt::format("{:.{}g}", value, digits);
+  const int decimals = std::max(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0);
+  text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 /// What is expected, in words: "12 +- 0.1", "at least 3".
-std::string claim(const Expect& expect, double tolerance) {
+std::string claim(const Expect& expect, double tolerance, int digits) {
   std::vector<std::string> parts;
-  if (expect.value) parts.push_back(fmt::format("{} +- {}", *expect.value, tolerance));
-  if (expect.at_least) parts.push_back(fmt::format("at least {}", *expect.at_least));
-  if (expect.at_most) parts.push_back(fmt::format("at most {}", *expect.at_most));
+  if (expect.value) parts.push_back(fmt::format("{} +- {}", shown(*expect.value, digits), shown(tolerance, digits)));
+  if (expect.at_least) parts.push_back(fmt::format("at least {}", shown(*expect.at_least, digits)));
+  if (expect.at_most) parts.push_back(fmt::format("at most {}", shown(*expect.at_most, digits)));
   return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+/// Every comparison is false for a quantity that is not a number.
+bool is_met(const Expect& expect, double tolerance, double found) {
+  return (!expect.value || std::abs(found - *expect.value) <= tolerance) &&
+         (!expect.at_least || found >= *expect.at_least) && (!expect.at_most || found <= *expect.at_most);
+}
+
+/// Six, or more where six would tell another verdict.
+int digits_that_tell(const Expect& expect, double tolerance, double found) {
+  const auto rounded = [](double value, int digits) {
+    return base::parse_number(shown(value, digits)).value_or(value);
+  };
+  for (int digits = usual_digits; digits < all_digits; ++digits) {
+    Expect read = expect;
+    for (std::optional<double>* value : {&read.value, &read.at_least, &read.at_most}) {
+      if (*value) *value = rounded(**value, digits);
+    }
+    if (is_met(read, tolerance, rounded(found, digits)) == is_met(expect, tolerance, found)) return digits;
+  }
+  return all_digits;
 }
 
 using Quantities = std::vector<Quantity>;
@@ -76,10 +116,10 @@ Verdict judge_one(const Expect& expect, const Quantities& last, const Quantities
   }
   verdict.found = found;
   const double tolerance = std::max(expect.tolerance, expect.relative_tolerance * std::abs(expect.value.value_or(0.0)));
-  // Every comparison is false for a quantity that is not a number.
-  verdict.met = (!expect.value || std::abs(found - *expect.value) <= tolerance) &&
-                (!expect.at_least || found >= *expect.at_least) && (!expect.at_most || found <= *expect.at_most);
-  verdict.message = fmt::format("{} is {}{}, expected {}", what, found, unit, claim(expect, tolerance));
+  verdict.met = is_met(expect, tolerance, found);
+  const int digits = digits_that_tell(expect, tolerance, found);
+  verdict.message =
+      fmt::format("{} is {}{}, expected {}", what, shown(found, digits), unit, claim(expect, tolerance, digits));
   return verdict;
 }
 

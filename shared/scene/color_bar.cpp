@@ -7,6 +7,7 @@
 
 #include "shared/base/text.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/decimal_mark.h"
 #include "shared/scene/furniture.h"
 
 namespace dobra::scene {
@@ -101,7 +102,7 @@ bool passes_high(const Scale& scale) {
 bool passes_low(const Scale& scale) { return scale.least && scale.high > scale.low && *scale.least < scale.low; }
 
 std::string short_number(double value) {
-  std::string text = fmt::format("{:.4g}", value);
+  std::string text = with_decimal_mark(fmt::format("{:.4g}", value));
   if (const std::size_t e = text.find('e'); e != std::string::npos) {
     const std::size_t digits = std::min(text.find_first_not_of("+-0", e + 1), text.size());
     text = text.substr(0, e + 1) + (text[e + 1] == '-' ? "\u2212" : "") + text.substr(digits);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "shared/base/text.h"
+#include "shared/scene/decimal_mark.h"
 
 namespace dobra::scene {
 namespace {
@@ -171,7 +172,7 @@ class LegendTable {
 };
 
 std::string number_of(double value) {
-  const std::string text = fmt::format("{:.6g}", value);
+  const std::string text = with_decimal_mark(fmt::format("{:.6g}", value));
   return text.front() == '-' ? "\u2212" + text.substr(1) : text;
 }
 

@@ -13,6 +13,7 @@
 
 #include "shared/base/check.h"
 #include "shared/base/text.h"
+#include "shared/scene/decimal_mark.h"
 #include "shared/scene/furniture.h"
 #include "shared/scene/grid.h"
 #include "shared/scene/paper.h"
@@ -358,8 +359,8 @@ bool Arranger::update_room(std::size_t i) {
   }
   std::string x_title = shares_x_axis(i) ? "" : panel.axes.x_title;
   if (block.exaggeration != 1.0 && panel.axes.scale != AxisScale::Diagram) {
-    x_title += fmt::format("{}({} {:g}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
-                           block.exaggeration);
+    x_title += fmt::format("{}({} {}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
+                           with_decimal_mark(fmt::format("{:g}", block.exaggeration)));
   }
   const ColorBars own_bars = bars(block.bars, block.plot_height);
   block.bars_width = block.bars.empty() ? 0.0 : std::max(block.bars_width, own_bars.all.width);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/scene/decimal_mark.h"
+
 namespace dobra::scene {
 namespace {
 
@@ -22,12 +24,14 @@ double step_number(int i) {
 
 int decimals_of(double step) { return std::clamp(static_cast<int>(-std::floor(std::log10(step) + slack)), 0, 15); }
 
-std::string with_minus(std::string text) {
+/// In the user's language.
+std::string shown(std::string text) {
+  text = with_decimal_mark(std::move(text));
   // U+2212 is as wide as a plus and is not taken for a hyphen.
   return !text.empty() && text.front() == '-' ? "\u2212" + text.substr(1) : text;
 }
 
-std::vector<Tick> single(double value) { return {{value, with_minus(fmt::format("{:.6g}", value))}}; }
+std::vector<Tick> single(double value) { return {{value, shown(fmt::format("{:.6g}", value))}}; }
 
 std::vector<Tick> ticks_of_step(double low, double high, double step) {
   std::vector<Tick> ticks;
@@ -36,7 +40,7 @@ std::vector<Tick> ticks_of_step(double low, double high, double step) {
   const bool plain = std::max(std::abs(low), std::abs(high)) < plain_limit && step >= 1e-6;
   for (double k = from; k <= to; k += 1.0) {
     const double value = k * step + 0.0;  // + 0.0 turns -0 into 0
-    ticks.push_back({value, plain ? tick_label(value, decimals_of(step)) : with_minus(fmt::format("{:.10g}", value))});
+    ticks.push_back({value, plain ? tick_label(value, decimals_of(step)) : shown(fmt::format("{:.10g}", value))});
   }
   return ticks;
 }
@@ -56,7 +60,7 @@ std::string tick_label(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
   const bool zero = text.find_first_of("123456789") == std::string::npos;
   if (zero && text.front() == '-') text.erase(0, 1);
-  return with_minus(std::move(text));
+  return shown(std::move(text));
 }
 
 double nice_below(double value) {
@@ -98,7 +102,7 @@ std::vector<Tick> logarithmic_ticks_that_fit(double low, double high, double len
       for (const double digit : {1.0, 2.0, 5.0}) {
         const double at = decade + std::log10(digit);
         if (at < low || at > high || (every > 0 && digit > 1.0)) continue;
-        ticks.push_back({at, fmt::format("{:g}", digit * std::pow(10.0, decade))});
+        ticks.push_back({at, with_decimal_mark(fmt::format("{:g}", digit * std::pow(10.0, decade)))});
       }
     }
     if (ticks.empty()) break;

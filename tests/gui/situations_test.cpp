@@ -115,10 +115,22 @@ class Situations : public testing::TestWithParam<Look> {
             << situation << ": the tab " << tabs->tabText(i).toStdString();
       }
     }
+    // What a tool waits for is read whole, or at least under the pointer where the window is narrow.
+    for (const QLabel* hint : window.findChildren<QLabel*>("status.hint")) {
+      const int needed = hint->fontMetrics().horizontalAdvance(hint->text());
+      EXPECT_TRUE(needed <= hint->width() || window.width() < 1280)
+          << situation << ": the hint " << hint->text().toStdString() << " has " << hint->width() << " of " << needed;
+      EXPECT_EQ(hint->toolTip(), hint->text()) << situation;
+    }
     for (QWidget* each : window.findChildren<QWidget*>()) {
       if (!each->isVisible() || each->width() == 0) continue;
       QString words;
       if (const auto* label = qobject_cast<QLabel*>(each)) words = label->wordWrap() ? QString() : label->text();
+      if (const auto* label = qobject_cast<QLabel*>(each); label != nullptr && label->wordWrap()) {
+        const int lines = label->heightForWidth(label->width());
+        EXPECT_LE(lines, label->height() + 1) << situation << ": " << label->objectName().toStdString()
+                                              << " shows a part of " << label->text().toStdString();
+      }
       if (const auto* button = qobject_cast<QAbstractButton*>(each)) words = button->text();
       if (const auto* choice = qobject_cast<QComboBox*>(each)) words = choice->currentText();
       if (words.isEmpty() || each->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;
@@ -154,6 +166,10 @@ TEST_P(Situations, TheBeginning) {
 TEST_P(Situations, ARestoredSection) {
   open("recon/", "fold.toml");
   take("02_restored");
+  act("look.input");
+  point({3450, 1150});
+  take("02_pointed");
+  act("look.result");
 }
 
 TEST_P(Situations, BesideTheInputWithFaults) {

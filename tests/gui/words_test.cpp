@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QRegularExpression>
 #include <QTest>
 #include <QTreeWidget>
 #include <map>
@@ -16,6 +20,7 @@
 #include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
+#include "shared/gui/vtk_widget.h"
 #include "tests/gui/examples_folder.h"
 #include "tests/shared/gui/brazilian.h"
 
@@ -108,6 +113,61 @@ TEST_P(Words, VerdictsAndRemarksAreSaidInTheLanguage) {
         << verdict.message;
   }
   EXPECT_FALSE(said.contains("+-"));
+}
+
+/// Fields, their hints, tables, results and verdicts; keys are no numbers.
+TEST_P(Words, EachNumberInSightHasTheMarkOfTheLanguage) {
+  open();
+  const QRegularExpression wrong(GetParam().portuguese ? R"((?<![\w.^])\d+\.\d)" : R"((?<![\w,^])\d+,\d)");
+  const QRegularExpression long_number(R"([1-9]\d*[.,]\d{6,}|[.,]0*[1-9]\d{6,})");
+  std::size_t seen = 0;
+  const auto judge = [&](const QString& words, const char* where) {
+    ++seen;
+    EXPECT_FALSE(wrong.match(words).hasMatch()) << where << ": " << words.toStdString();
+  };
+  for (std::size_t part = 0; part <= window_->session().document().steps.size(); ++part) {
+    window_->select(part);
+    QCoreApplication::processEvents();
+    for (const QAbstractSpinBox* box : window_->form().findChildren<QAbstractSpinBox*>()) {
+      judge(box->text(), "field");
+      judge(box->property("dobra.hint").toString(), "hint");
+    }
+  }
+  for (const auto& [key, row] : rows()) judge(row->text(1), "result");
+  const QString said = window_->findChild<gui::Results*>()->findChild<QLabel*>()->text();
+  EXPECT_FALSE(long_number.match(said).hasMatch()) << said.toStdString();
+  auto& view = window_->view();
+  for (std::size_t panel = 0; panel < view.panel_count(); ++panel) {
+    const QRectF plot = view.plot(panel);
+    QMouseEvent move(QEvent::MouseMove, plot.center(), view.mapToGlobal(plot.center()), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&view, &move);
+    judge(window_->findChild<QLabel*>("status.place")->text(), "place");
+  }
+  EXPECT_GT(seen, 20U);
+}
+
+/// A comma is typed, shown and kept; the file has a point.
+TEST_P(Words, ATypedCommaIsShownAsOneAndWrittenAsAPoint) {
+  open();
+  window_->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 5000));
+  for (std::size_t part = 1; part <= window_->session().document().steps.size(); ++part) {
+    window_->select(part);
+    QCoreApplication::processEvents();
+    for (auto* box : window_->form().findChildren<QAbstractSpinBox*>()) {
+      auto* line = box->findChild<QLineEdit*>();
+      if (!box->isVisible() || line->text().contains('e')) continue;
+      const std::string before = scenario::document_text(window_->session().document());
+      box->setFocus();
+      QTest::keyClick(line, Qt::Key_A, Qt::ControlModifier);
+      QTest::keyClicks(line, "1,25");
+      QTest::keyClick(line, Qt::Key_Return);
+      if (scenario::document_text(window_->session().document()) == before) continue;  // a whole number is asked for
+      EXPECT_EQ(line->text(), GetParam().portuguese ? "1,25" : "1.25");
+      EXPECT_NE(scenario::document_text(window_->session().document()).find("= 1.25"), std::string::npos);
+      return;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Words,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "shared/base/check.h"
+#include "shared/scene/decimal_mark.h"
 
 namespace dobra::gui::catalogue {
 
@@ -32,6 +33,40 @@ Parts parts_of(const QString& line) {
   }
   parts.fixed << line.mid(begin);
   return parts;
+}
+
+/// Numbers of an argument with the user's mark: 'of 0.5 m', '(0.5; 2)', not "v0.5.csv".
+QString with_mark(const QString& argument) {
+  if (scene::decimal_mark() == scene::DecimalMark::Point) return argument;
+  static const QRegularExpression comma_between(R"((\([-+\d.e]+), ([-+\d.e]+\)))");
+  static const QRegularExpression number(R"(^[(\[]*[-+]?\d+\.\d+(e[-+]?\d+)?[)\],;:%°]*$)");
+  QStringList words = QString(argument).replace(comma_between, "\\1; \\2").split(' ');
+  for (QString& word : words) {
+    if (number.match(word).hasMatch()) word.replace('.', ',');
+  }
+  return words.join(' ');
+}
+
+/// Where the first "; " or ": " lies outside quotes and brackets; -1 if nowhere.
+qsizetype end_of_part(const QString& message) {
+  QChar quote;
+  int brackets = 0;
+  for (qsizetype i = 0; i + 1 < message.size(); ++i) {
+    const QChar c = message[i];
+    const bool apostrophe = c == '\'' && i > 0 && message[i - 1].isLetter() && message[i + 1].isLetter();
+    if (!quote.isNull()) {
+      if (c == quote && !apostrophe) quote = QChar();
+    } else if ((c == '\'' && !apostrophe) || c == '"' || c == '`') {
+      quote = c;
+    } else if (c == '(' || c == '[') {
+      ++brackets;
+    } else if (c == ')' || c == ']') {
+      --brackets;
+    } else if (brackets == 0 && (c == ';' || c == ':') && message[i + 1] == ' ') {
+      return i;
+    }
+  }
+  return -1;
 }
 
 base::Error bad_line(qsizetype number, const char* what) {
@@ -64,11 +99,12 @@ Catalogue& quantities() {
 Catalogue::Catalogue(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
     const Parts parts = parts_of(entry.source);
-    Pattern pattern{parts.fixed.front(), {}, {}, entry.translation, 0};
+    Pattern pattern{parts.fixed.front(), {}, {}, {}, entry.translation, 0};
     QString expression = "^";
     for (qsizetype i = 0; i < parts.fixed.size(); ++i) {
       expression += QRegularExpression::escape(parts.fixed[i]);
       pattern.letters += parts.fixed[i].size();
+      if (parts.fixed[i].size() > pattern.longest.size()) pattern.longest = parts.fixed[i];
       if (i + 1 == parts.fixed.size()) break;
       expression += "(.*?)";
       pattern.quoted.push_back(parts.fixed[i].endsWith('\'') || parts.fixed[i].endsWith('"'));
@@ -83,7 +119,7 @@ Catalogue::Catalogue(const std::vector<Entry>& entries) {
 std::optional<QString> Catalogue::said(const QString& message, int deeper) const {
   if (deeper < 0) return std::nullopt;
   for (const Pattern& pattern : patterns_) {
-    if (!message.startsWith(pattern.start)) continue;
+    if (!message.startsWith(pattern.start) || !message.contains(pattern.longest)) continue;
     const QRegularExpressionMatch match = pattern.expression.match(message);
     if (!match.hasMatch()) continue;
     const Parts parts = parts_of(pattern.translation);
@@ -91,12 +127,22 @@ std::optional<QString> Catalogue::said(const QString& message, int deeper) const
     for (std::size_t i = 0; i < parts.arguments.size(); ++i) {
       const int argument = parts.arguments[i];
       const QString given = match.captured(argument + 1);
-      made += pattern.quoted[static_cast<std::size_t>(argument)] ? given : said(given, deeper - 1).value_or(given);
+      made += pattern.quoted[static_cast<std::size_t>(argument)] ? given
+                                                                 : said(given, deeper - 1).value_or(with_mark(given));
       made += parts.fixed[static_cast<qsizetype>(i) + 1];
     }
     return made;
   }
-  return std::nullopt;
+  return deeper > 0 ? said_in_parts(message, deeper) : std::nullopt;
+}
+
+std::optional<QString> Catalogue::said_in_parts(const QString& message, int deeper) const {
+  const qsizetype at = end_of_part(message);
+  if (at < 0) return std::nullopt;
+  const auto first = said(message.left(at), deeper - 1);
+  const auto rest = said(message.mid(at + 2), deeper);
+  if (!first && !rest) return std::nullopt;
+  return first.value_or(message.left(at)) + message.mid(at, 2) + rest.value_or(message.mid(at + 2));
 }
 
 QString Catalogue::translated(const QString& message) const { return said(message, deepest).value_or(message); }

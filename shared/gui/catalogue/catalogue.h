@@ -2,7 +2,8 @@
 // Messages of the library in the user's language. The library says a message as one English line, made of a template
 // and arguments ("'{}' must be {}, found {}"). The catalogue holds templates with their translations; a message is
 // recognised by the fixed words of a template and said in the other one, with the same arguments. Arguments are
-// messages again ("a number"), but what stands in quotes is the user's own and stays. Page: docs/contributing.md.
+// messages again ("a number"), or numbers, which get the user's decimal mark; what stands in quotes is the user's own.
+// Page: docs/contributing.md.
 
 #include <QRegularExpression>
 #include <QString>
@@ -24,8 +25,9 @@ class Catalogue {
   Catalogue() = default;
   explicit Catalogue(const std::vector<Entry>& entries);
 
-  /// The message in the other language; itself where no template fits. Of several that fit the one with the most fixed
-  /// letters wins. @cost a regular expression for each template whose first letters fit
+  /// The message in the other language. Of several templates that fit the one with the most fixed letters wins; where
+  /// none fits, what stands before and behind "; " or ": " is said by itself, and what no template fits stays.
+  /// @cost a regular expression for each template whose first letters and longest part the message has
   [[nodiscard]] QString translated(const QString& message) const;
   /// As translated, but arguments stay as they are; nothing where no template fits.
   [[nodiscard]] std::optional<QString> with_arguments_kept(const QString& message) const;
@@ -35,7 +37,8 @@ class Catalogue {
 
  private:
   struct Pattern {
-    QString start;  ///< The fixed letters before the first argument.
+    QString start;    ///< The fixed letters before the first argument.
+    QString longest;  ///< The longest of the fixed parts.
     QRegularExpression expression;
     std::vector<bool> quoted;  ///< Of each argument: stands in quotes.
     QString translation;
@@ -43,6 +46,8 @@ class Catalogue {
   };
   /// Messages within messages up to `deeper` levels; arguments further in stay as they are.
   [[nodiscard]] std::optional<QString> said(const QString& message, int deeper) const;
+  /// In parts, of which at least one has a template.
+  [[nodiscard]] std::optional<QString> said_in_parts(const QString& message, int deeper) const;
 
   std::vector<Pattern> patterns_;  ///< Those with more fixed letters first.
 };

@@ -1,13 +1,13 @@
 #include "shared/gui/vertices/rows.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
 
 #include "shared/base/text.h"
 #include "shared/gui/vertices/words.h"
+#include "shared/scene/decimal_mark.h"
 
 namespace dobra::gui::vertices {
 
@@ -40,7 +40,7 @@ std::optional<double> cell_value(const QString& typed) {
 QString cell_text(double value) {
   QString written = QString::fromStdString(base::number_text(value));
   if (written.endsWith(".0")) written.chop(2);
-  return written.replace(".", QLocale().decimalPoint());
+  return QString::fromStdString(scene::with_decimal_mark(written.toStdString()));
 }
 
 base::Result<std::vector<geom::Point>> points_of_rows(const QString& written) {

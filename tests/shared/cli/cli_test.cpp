@@ -425,6 +425,10 @@ TEST_F(Cli, WithoutASubCommandTheWindowOpens) {
   EXPECT_EQ(missing.code, 3);
   EXPECT_EQ(missing.err, "fake: " + (root / "missing.toml").string() + ": there is no such file\n");
   EXPECT_EQ(call({good, "another.toml"}, setting).code, 2);
+  // A window that can be seen says it itself.
+  setting.window.tells_missing_files = [] { return true; };
+  EXPECT_EQ(call({(root / "missing.toml").string()}, setting).code, 42);
+  EXPECT_EQ(opened, root / "missing.toml");
 }
 
 TEST_F(Cli, AProgramAddsItsOwnSubCommands) {

@@ -159,7 +159,7 @@ TEST_F(PointingTest, TheFocusedFieldSaysWhatItIsForAndMayHold) {
   window.select(1);
   click(editor("count"));
   auto* hint = window.findChild<QLabel*>("form.hint");
-  EXPECT_EQ(hint->text().toStdString(), "Number of curves: How many curves. at least 1, at most 40, default 3.");
+  EXPECT_EQ(hint->text().toStdString(), "Number of curves: How many curves. At least 1, at most 40, default 3.");
 }
 
 }  // namespace

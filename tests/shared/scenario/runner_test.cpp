@@ -222,6 +222,12 @@ TEST(Runner, ExpectationsAreJudgedByTheLargerToleranceAndByBounds) {
   EXPECT_TRUE(one("value = 21\nfactor = 2\n").met);
   EXPECT_FALSE(one("value = 10.5\nfactor = 2\n").met);
   EXPECT_EQ(one("value = 5\nfactor = -0.5\n").message, "-0.5 * sum is -5.25 m, expected 5 +- 0");
+  // Six digits, or as many as tell the verdict.
+  EXPECT_EQ(one("value = 10.500000000123\ntolerance = 1e-3\n").message, "sum is 10.5 m, expected 10.5 +- 0.001");
+  EXPECT_EQ(one("value = 10.500000000123\n").message, "sum is 10.5 m, expected 10.5000000001 +- 0");
+  EXPECT_EQ(one("at_least = 10.5000004\n").message, "sum is 10.5 m, expected at least 10.5000004");
+  EXPECT_EQ(one("at_most = 14715897.4567\n").message, "sum is 10.5 m, expected at most 14715897");
+  EXPECT_EQ(one("at_most = 123456789012\n").message, "sum is 10.5 m, expected at most 123456789012");
   const Verdict rate = one("value = 1\nrate_from = 1\n");
   EXPECT_FALSE(rate.met || rate.found);
   EXPECT_EQ(rate.message, "there is no quantity 'unknowns'") << "what the size of the elements would follow from";

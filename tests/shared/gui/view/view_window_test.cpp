@@ -242,6 +242,40 @@ TEST_F(ViewTest, PanelsStandAsIsAskedAndThatIsRemembered) {
   action("view.panels.as_fits")->trigger();
 }
 
+TEST_F(ViewTest, WhatADragHasHeldStillIsSeenWholeWhereItsPanelGetsAnotherSize) {
+  open_bumps("[[step]]\noperation = \"lift\"\n");
+  const auto all_seen = [&] {
+    for (std::size_t panel = 0; panel < window.view().panel_count(); ++panel) {
+      for (const Point each : {Point{100, 300}, Point{900, 350}, Point{200, 500}, Point{600, 400}}) {
+        if (!sees(each, panel)) return false;
+      }
+    }
+    return true;
+  };
+  press(Qt::Key_1, Qt::ControlModifier);
+  settle();
+  click_at({500, 300});
+  drag(Qt::LeftButton, pixel({500, 300}), pixel({500, 330}));
+  settle();
+  EXPECT_NEAR(bump(0)[1].y, 330.0, 5.0);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  press(Qt::Key_3, Qt::ControlModifier);
+  settle();
+  EXPECT_GT(window.view().panel_count(), 2U);
+  EXPECT_TRUE(all_seen());
+  // What somebody has zoomed to stays looked at.
+  press(Qt::Key_1, Qt::ControlModifier);
+  settle();
+  turn_wheel(pixel({500, 330}), 6);
+  const double near = window.view().view(0).world_per_point;
+  click_at({500, 300});
+  press(Qt::Key_3, Qt::ControlModifier);
+  settle();
+  EXPECT_DOUBLE_EQ(window.view().view(0).world_per_point, near);
+  press(Qt::Key_2, Qt::ControlModifier);
+}
+
 TEST_F(ViewTest, LinkedPanelsMoveTogetherAndOthersDoNot) {
   open_bumps();
   const auto centres = [&] { return std::pair(window.view().view(0).centre, window.view().view(1).centre); };

@@ -1,23 +1,23 @@
-#include "shared/gui/field_editor.h"
-
 #include <gtest/gtest.h>
 
-namespace dobra::gui {
+#include "shared/gui/numbers/numbers.h"
+
+namespace dobra::gui::numbers {
 namespace {
 
-TEST(FieldEditor, PointsReadWithAnyUsualSeparator) {
+TEST(PointsOfText, PointsReadWithAnyUsualSeparator) {
   const auto points = points_from_text("0, 1\n2;3\n[4, 5],\n6\t7\r\n\n8 9\n");
   ASSERT_TRUE(points.ok());
   const std::vector<geom::Point> expected{{0, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 9}};
   EXPECT_EQ(*points, expected);
 }
 
-TEST(FieldEditor, PointsReadBackToTheSameBits) {
+TEST(PointsOfText, PointsReadBackToTheSameBits) {
   const std::vector<geom::Point> points{{0.1, 1.0 / 3.0}, {-1e-300, 12345678.901234567}, {0.0, -0.0}};
   EXPECT_EQ(*points_from_text(text_of_points(points)), points);
 }
 
-TEST(FieldEditor, BadPointsNameTheLine) {
+TEST(PointsOfText, BadPointsNameTheLine) {
   const auto word = points_from_text("0, 0\n1, x\n");
   ASSERT_FALSE(word.ok());
   EXPECT_EQ(word.error().message, "line 2: 'x' is not a number");
@@ -28,15 +28,5 @@ TEST(FieldEditor, BadPointsNameTheLine) {
   EXPECT_FALSE(points_from_text("1, inf").ok());
 }
 
-TEST(FieldEditor, StepsAreRoundNumbers) {
-  EXPECT_EQ(stepped(0.3, 1), 0.31);
-  EXPECT_EQ(stepped(0.3, -1), 0.29);
-  EXPECT_EQ(stepped(50.0, 1), 51.0);
-  EXPECT_EQ(stepped(-50.0, 1), -49.0);
-  EXPECT_EQ(stepped(1234.5, 1), 1300.0);
-  EXPECT_EQ(stepped(0.0, 2), 0.2);
-  EXPECT_EQ(stepped(2e-7, 1), 2.1e-7);
-}
-
 }  // namespace
-}  // namespace dobra::gui
+}  // namespace dobra::gui::numbers
