@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <sstream>
 
 #include "shared/gui/main_window.h"
 #include "tests/shared/gui/fake_program.h"
@@ -85,6 +86,17 @@ TEST_F(ScriptTest, KeysGoWhereTheOnesBeforeThemHaveMovedTheFocus) {
   const std::string drawn = folder.read("drawn.toml");
   EXPECT_NE(drawn.find("name = \"A long name\""), std::string::npos) << drawn;
   EXPECT_NE(drawn.find("[[10.0, 20.5], [110.0, 20.5]]"), std::string::npos) << drawn;
+}
+
+TEST_F(ScriptTest, FullFramesAreToldApartFromTheTimeInWhichNothingIsHeard) {
+  EXPECT_EQ(run("wait\nfull-frame " + path("opened") + "\nlongest-gap " + path("gap") + "\nquit\n"), 0);
+  std::istringstream opened(folder.read("opened"));
+  double all = 0.0;
+  double deaf = 0.0;
+  ASSERT_TRUE(opened >> all >> deaf);
+  EXPECT_GT(all, 0.0);
+  EXPECT_LE(deaf, all);
+  EXPECT_GE(std::stod(folder.read("gap")), deaf - 2.0);  // drawn at once, it is part of the gap
 }
 
 TEST(Script, UnknownCommandIsRefusedBeforeAnythingIsDone) {
