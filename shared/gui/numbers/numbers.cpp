@@ -101,8 +101,8 @@ QString readable(double value) {
   constexpr double longest = 1e9;
   const double size = std::abs(value);
   const bool in_full = size >= 1e5 && size < longest;
-  return marked(with_short_exponent(in_full ? QString::number(value, 'f', 0) : QString::number(value, 'g', 6))
-                    .toStdString());
+  return marked(
+      with_short_exponent(in_full ? QString::number(value, 'f', 0) : QString::number(value, 'g', 6)).toStdString());
 }
 
 QString unit_text(const std::string& unit) {

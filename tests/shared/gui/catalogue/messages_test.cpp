@@ -86,14 +86,22 @@ bool is_left_out(const fs::path& file) {
 
 /// Kinds that files have, and what GDAL and toml++ say; comments in files that the programs write.
 const std::set<QString> no_messages = {
-    "strike slip fault", "falha de empurrao", "nivel de referencia", "camada de crescimento", "horizonte de crescimento",
-    "estrato de crescimento", "linha de pino", "Undefined geographic SRS", "Undefined Cartesian SRS",
-    "Of every number of the file.", "Of the results, where they are to differ.", "Where the tables of the input stand.",
+    "strike slip fault",
+    "falha de empurrao",
+    "nivel de referencia",
+    "camada de crescimento",
+    "horizonte de crescimento",
+    "estrato de crescimento",
+    "linha de pino",
+    "Undefined geographic SRS",
+    "Undefined Cartesian SRS",
+    "Of every number of the file.",
+    "Of the results, where they are to differ.",
+    "Where the tables of the input stand.",
     "Lines of the scenario beside, which names this file as its lines_file. Numbers are in the units of both."};
 
 std::vector<Entry> entries() {
-  return read_entries(
-             QString::fromStdString(io::read_text(root / "resources/translations/messages_pt_BR.txt").value()))
+  return read_entries(QString::fromStdString(io::read_text(root / "resources/translations/messages_pt_BR.txt").value()))
       .value();
 }
 
@@ -101,8 +109,7 @@ TEST(MessagesOfTheLibrary, EachHasABrazilianTemplate) {
   QString templates = "\n";
   for (const Entry& entry : entries()) templates += plain(entry.source) + "\n";
   QSet<QString> of_forms;
-  const QString ts =
-      QString::fromStdString(io::read_text(root / "resources/translations/dobra_pt_BR.ts").value());
+  const QString ts = QString::fromStdString(io::read_text(root / "resources/translations/dobra_pt_BR.ts").value());
   static const QRegularExpression source("<source>(.*?)</source>", QRegularExpression::DotMatchesEverythingOption);
   for (auto matches = source.globalMatch(ts); matches.hasNext();) {
     QString words = matches.next().captured(1);

@@ -47,18 +47,22 @@ TEST_F(Numbers, PointsAreReadWithEitherMark) {
 TEST_F(Numbers, WhatIsShownReadsBackToTheSameBits) {
   for (const bool comma : {false, true}) {
     if (comma) speak_portuguese();
-    const std::vector<double> hard{0.1,  1.0 / 3.0, -1e-300, 12345678.901234567, -0.0, 40.5,
-                                   1e21, 5e-324,    -7.0,    std::numeric_limits<double>::max()};
+    const std::vector<double> hard{0.1,     1.0 / 3.0,
+                                   -1e-300, 12345678.901234567,
+                                   -0.0,    40.5,
+                                   1e21,    5e-324,
+                                   -7.0,    std::numeric_limits<double>::max()};
     scenario::Field list;
     list.key = "list";
     list.kind = Kind::Numbers;
-    const auto read = scenario::parse_value(list, as_parsed(Kind::Numbers, field_text(Kind::Numbers, hard)).toStdString());
+    const auto read =
+        scenario::parse_value(list, as_parsed(Kind::Numbers, field_text(Kind::Numbers, hard)).toStdString());
     ASSERT_TRUE(read.ok()) << read.error().message;
     EXPECT_EQ(std::get<std::vector<double>>(*read), hard);
     for (const double each : hard) {
       scenario::Field alone;
-    alone.key = "alone";
-    alone.kind = Kind::Number;
+      alone.key = "alone";
+      alone.kind = Kind::Number;
       const QString shown = field_text(Kind::Number, each);
       EXPECT_EQ(shown.contains('.') && comma, false) << shown.toStdString();
       const auto back = scenario::parse_value(alone, as_parsed(Kind::Number, shown).toStdString());
@@ -86,10 +90,10 @@ TEST_F(Numbers, ACommaAloneIsADecimalMarkWhereTheLanguageWritesOne) {
 
 TEST_F(Numbers, NamesStandWithoutQuotesWhereTheyReadBack) {
   scenario::Field names;
-    names.key = "names";
-    names.kind = Kind::Texts;
-  const std::vector<std::vector<std::string>> all{{"hole"},         {"a b", "c"}, {"1.5"},  {"a,b", "c"}, {" x"},
-                                                  {"say \"hello\""}, {},           {"", "y"}, {"[z]"},      {"true", "7"}};
+  names.key = "names";
+  names.kind = Kind::Texts;
+  const std::vector<std::vector<std::string>> all{
+      {"hole"}, {"a b", "c"}, {"1.5"}, {"a,b", "c"}, {" x"}, {"say \"hello\""}, {}, {"", "y"}, {"[z]"}, {"true", "7"}};
   for (const std::vector<std::string>& each : all) {
     const QString shown = field_text(Kind::Texts, each);
     const auto back = scenario::parse_value(names, as_parsed(Kind::Texts, shown).toStdString());
@@ -125,7 +129,9 @@ TEST_F(Numbers, UnitsHaveTheirPowersSet) {
 
 TEST_F(Numbers, AxesHaveTheMarkToo) {
   speak_portuguese();
-  EXPECT_EQ(scene::tick_label(-2.5, 1), "\u2212" "2,5");
+  EXPECT_EQ(scene::tick_label(-2.5, 1),
+            "\u2212"
+            "2,5");
   EXPECT_EQ(scene::nice_ticks(0.0, 1.0, 3).at(1).label, "0,5");
 }
 
