@@ -309,7 +309,8 @@ bool Canvas::key_press(int key, const QString& typed) {
 
 void Canvas::open_entry(const QString& typed) {
   entry_->setText(typed);
-  entry_->move(12, view_.height() - entry_->height() - 12);
+  const QRectF plot = view_.is_ready() && panel_ < view_.panel_count() ? view_.plot(panel_) : QRectF(view_.rect());
+  entry_->move(plot.bottomLeft().toPoint() + QPoint(8, -entry_->height() - 8));  // not over the legend
   entry_->show();
   entry_->raise();
   entry_->setFocus();

@@ -56,7 +56,8 @@ QString said(const scenario::Verdict& verdict) {
   std::string message = verdict.message;
   const std::string& key = verdict.expect.quantity;
   if (const std::size_t at = message.find(key + " is "); verdict.found && at != std::string::npos)
-    message = marked(message.substr(0, at)) + key + marked(message.substr(at + key.size()));
+    message =
+        marked(message.substr(0, at)) + key + numbers::unit_text(marked(message.substr(at + key.size()))).toStdString();
   return catalogue::translated(QString::fromStdString(message)).replace("+-", QString::fromUtf8("±"));
 }
 
