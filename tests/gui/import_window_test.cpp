@@ -315,9 +315,12 @@ TEST_F(ImportWindow, ALineThatIsPastedBesideItselfIsProposedAFreeName) {
     QTest::keyClick(dialog->findChild<QLineEdit*>("name"), Qt::Key_Return);
   });
   look.start(20);
-  auto* view = window.findChild<VtkWidget*>();
-  view->setFocus();
-  QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 5000));
+  window.view().setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.view().hasFocus(); }, 5000));
+  // The dialog opens within the key press.
+  QTimer::singleShot(0, [&] { QTest::keyClick(&window.view(), Qt::Key_V, Qt::ControlModifier); });
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return !proposed.isEmpty() && QApplication::activeModalWidget() == nullptr; }, 10000));
   EXPECT_EQ(proposed.toStdString(), "Top (2)");
