@@ -1,6 +1,7 @@
 #include "quebra/core/importing.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -51,7 +52,7 @@ scenario::Table reading_keys(const scenario::Document& document, const std::file
   scenario::Table keys;
   keys.set("file", scenario::lines::import_path(document, file));
   if (const auto columns = scenario::lines::columns_by(reading); !columns.empty())
-    keys.set("columns", columns[0] + ',' + columns[1]);
+    keys.set("columns", fmt::format("{}", fmt::join(columns, ",")));
   if (reading.names > 0) keys.set("name_columns", fmt::format("{}", reading.names));
   if (!reading.separator.empty()) keys.set("separator", reading.separator);
   if (!reading.y_axis.empty()) keys.set("y_axis", reading.y_axis);

@@ -258,11 +258,11 @@ base::Result<scenario::Table> line_entry(const scenario::Document& document, con
     if (line.name.empty()) return apart(dobra::base::translated("it has no name"));
     entry.set("feature", line.name);
   }
-  if (look.table) {
+  if (file.reading.x > 0) {
     const auto number = [](std::size_t column) { return static_cast<double>(column); };
-    const bool usual = look.table->x == 1 && look.table->height == 2;
-    if (!usual || file.reading.x > 0)
-      entry.set("columns", std::vector<double>{number(look.table->x), number(look.table->height)});
+    std::vector<double> columns{number(file.reading.x), number(file.reading.height)};
+    if (file.reading.map_y > 0) columns.insert(columns.begin() + 1, number(file.reading.map_y));
+    entry.set("columns", columns);
   }
   if (!file.reading.separator.empty()) entry.set("separator", file.reading.separator);
   if (!file.reading.y_axis.empty()) entry.set("y_axis", file.reading.y_axis);

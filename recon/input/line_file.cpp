@@ -15,8 +15,10 @@ namespace io = dobra::io;
 
 namespace {
 
+/// Empty where the input does not say.
 base::Result<std::vector<std::string>> columns_of(const HorizonInput& input) {
   std::vector<std::string> columns;
+  if (input.columns.empty()) return columns;
   for (const double number : input.columns) {
     const bool column = number >= 1.0 && number <= 1e6 && number == std::floor(number);
     if (column) columns.push_back(fmt::format("{}", static_cast<std::size_t>(number)));
@@ -103,7 +105,6 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
                                        const ReadSettings& settings) {
   io::formats::LineOptions options = options_of(input, settings);
   options.text.blank_lines = io::lines::BlankLines::Ignore;
-  options.text.closing = io::lines::Closing::KeepOpen;
   DOBRA_TRY(options.text.columns, columns_of(input));
   DOBRA_TRY(io::formats::LineWork work, io::formats::read_any_lines(path, options));
   const auto named = [](const io::lines::Feature& feature) { return !feature.name.empty(); };
@@ -114,6 +115,11 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
       work = std::move(*split);
     else
       work.remarks.push_back("blank lines are not taken for the ends of pieces, since a single row stands between two");
+  } else if (work.format->name == "text") {
+    options.text.blank_lines = io::lines::BlankLines::SplitLines;
+    const auto split = io::formats::read_any_lines(path, options);
+    if (split && split->features.size() > work.features.size())
+      work.remarks.push_back("blank lines are not taken for the ends of lines: the rows have no names");
   }
   DOBRA_TRY(const std::vector<const io::lines::Feature*> features, chosen(work.features, input.feature));
   ReadPieces read{{}, work.remarks, work.trace};

@@ -43,7 +43,7 @@ struct HorizonInput {
   std::string feature;
   std::string piece_of;
   section::BedRole role = section::BedRole::Judged;
-  std::vector<double> columns = {1.0, 2.0};
+  std::vector<double> columns;  ///< Empty: as the header says, else the first two.
   FieldSeparator separator = FieldSeparator::Detect;
   LineAxis y_axis = LineAxis::Section;
   LineUnit unit = LineUnit::Section;

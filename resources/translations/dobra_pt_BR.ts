@@ -5219,6 +5219,18 @@
         <translation>Ler todos os arquivos como este</translation>
     </message>
     <message>
+        <source>Column of y on the map</source>
+        <translation>Coluna de y no mapa</translation>
+    </message>
+    <message>
+        <source>Where x and y are places on the map, the lines are laid into their vertical plane.</source>
+        <translation>Quando x e y são lugares no mapa, as linhas são postas em seu plano vertical.</translation>
+    </message>
+    <message>
+        <source>none: x runs along the section</source>
+        <translation>nenhuma: x corre ao longo da seção</translation>
+    </message>
+    <message>
         <source>none, or as the header says</source>
         <translation>nenhuma, ou como diz o cabeçalho</translation>
     </message>
@@ -5251,8 +5263,8 @@
         <translation>e mais %1 observações</translation>
     </message>
     <message>
-        <source>%1: choose which of its %2 columns hold x, heights or depths, and names.</source>
-        <translation>%1: escolha quais de suas %2 colunas contêm x, alturas ou profundidades e nomes.</translation>
+        <source>%1: choose which of its %2 columns hold x, heights or depths, and names; for places on the map, y too.</source>
+        <translation>%1: escolha quais de suas %2 colunas contêm x, alturas ou profundidades e nomes; para lugares no mapa, também y.</translation>
     </message>
     <message>
         <source>Import &apos;%1&apos;</source>

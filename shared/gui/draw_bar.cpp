@@ -17,6 +17,8 @@ namespace dobra::gui {
 
 namespace {
 
+constexpr int most_copies = 1000;
+
 using canvas::Carrying;
 using canvas::Drawing;
 using canvas::LineWork;
@@ -165,8 +167,22 @@ void DrawBar::ask(const canvas::Drawn& what) {
     session_.edit(std::move(document), text("Draw '%1'").arg(QString::fromStdString(name)));
     return {};
   };
+  const auto last =
+      std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.table == last_kind_; });
+  const std::string likely = last == kinds.end() ? kinds.front().table : last->table;
+  // A line that was pasted beside the one that it was copied from takes the next free name.
+  const auto is_free = [&](const std::string& name) {
+    return session_.program().drawing.add(session_.document(), likely, name, what.line).ok();
+  };
+  std::string name = what.name;
+  if (!name.empty() && !is_free(name)) {
+    for (int copy = 2; copy < most_copies && name == what.name; ++copy) {
+      std::string next = what.name + " (" + std::to_string(copy) + ")";
+      if (is_free(next)) name = std::move(next);
+    }
+  }
   NewLine question(std::move(kinds), last_kind_, add, this);
-  question.propose(QString::fromStdString(what.name));
+  question.propose(QString::fromStdString(name));
   if (question.exec() == QDialog::Accepted) last_kind_ = question.kind();
 }
 

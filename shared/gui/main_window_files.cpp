@@ -383,7 +383,7 @@ void MainWindow::ask_import() {
 void MainWindow::import_files(const std::vector<std::filesystem::path>& files) {
   if (!settle()) return;
   const auto wording = [this](const base::Error& error) {
-    return in_words_of_the_window(error, session_.document(), program_, 0);
+    return in_words_of_the_import(error, session_.document(), program_);
   };
   importing::ImportDialog dialog(program_, session_.document(), files, wording, this);
   if (dialog.exec() != QDialog::Accepted) return;

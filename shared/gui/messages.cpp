@@ -93,6 +93,13 @@ QString in_words_of_the_window(base::Error error, const scenario::Document& docu
   return in_words(error);
 }
 
+QString in_words_of_the_import(base::Error error, const scenario::Document& document,
+                               const scenario::Program& program) {
+  if (const auto said = catalogue::of_import().with_arguments_kept(QString::fromStdString(error.message)))
+    error.message = said->toStdString();
+  return in_words_of_the_window(std::move(error), document, program, 0);
+}
+
 QString still_to_be_given(const scenario::Document& document, const scenario::Program& program) {
   for (std::size_t part = 0; part <= document.steps.size(); ++part) {
     const QString missing =

@@ -19,6 +19,9 @@ QString in_words(const base::Error& error);
 QString in_words_of_the_window(base::Error error, const scenario::Document& document, const scenario::Program& program,
                                std::size_t part);
 
+/// What is to be said of a file that is brought into `document`, in the words of the import dialog.
+QString in_words_of_the_import(base::Error error, const scenario::Document& document, const scenario::Program& program);
+
 /// What is still to be given before a document can be run: "'Name' of 'Horizons' 2"; empty if nothing is.
 QString still_to_be_given(const scenario::Document& document, const scenario::Program& program);
 

@@ -22,6 +22,7 @@ namespace dobra::scenario {
 /// How the user says that a file is to be read; what is left out, the file says itself.
 struct ImportReading {
   std::size_t x = 0, height = 0;  ///< Columns of a text, from 1; 0: not said. Both or neither.
+  std::size_t map_y = 0;          ///< The column of y, where x is one of the map too; 0: none.
   std::size_t names = 0;          ///< The column that names the lines; 0: not said.
   std::string separator;          ///< "blank", "tab", "comma", "semicolon", or empty.
   std::string y_axis;             ///< "up", "down" or empty.

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -25,6 +26,7 @@
 #include "recon/core/operations.h"
 #include "shared/gui/importing/import_dialog.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/theme/colors.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/scenario/entries.h"
 #include "shared/scenario/runner.h"
@@ -36,9 +38,16 @@ namespace {
 
 using importing::ImportDialog;
 
+/// What Qt says of painting goes to the test, which fails.
+void fail_on_painting(QtMsgType, const QMessageLogContext&, const QString& words) {
+  if (words.startsWith("QPainter") || words.startsWith("QPaint")) ADD_FAILURE() << words.toStdString();
+}
+
 class ImportWindow : public testing::Test {
  protected:
+  ~ImportWindow() override { qInstallMessageHandler(nullptr); }
   ImportWindow() {
+    qInstallMessageHandler(fail_on_painting);
     window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
   }
@@ -232,6 +241,92 @@ TEST_F(ImportWindow, NegativeDepthsThatAreChosenStayWhatTheFileSays) {
     choose(part<QComboBox>(dialog, "height"), "2");
     EXPECT_EQ(part<QComboBox>(dialog, "axis")->currentData().toString(), "");
   });
+}
+
+TEST_F(ImportWindow, PlacesOnTheMapAreChosenWithAColumnOfY) {
+  const auto file = folder.write("map.csv", "x,y,height\n300,400,5\n330,440,6\n360,480,4\n");
+  drop({file}, [&](ImportDialog& dialog) {
+    EXPECT_FALSE(can_import(dialog));
+    EXPECT_NE(message(dialog).find("y too"), std::string::npos) << message(dialog);
+    choose(part<QComboBox>(dialog, "height"), "3");
+    choose(part<QComboBox>(dialog, "map_y"), "2");
+    EXPECT_TRUE(can_import(dialog)) << message(dialog);
+    shot(dialog, "import_map");
+    click(part(dialog, "ok"));
+  });
+  const auto horizons = scenario::entries_of(window.session().document().input, "horizon");
+  ASSERT_EQ(horizons.size(), 1U) << text();
+  EXPECT_EQ(std::get<std::vector<double>>(*horizons[0].find("columns")), (std::vector<double>{1, 2, 3}));
+  EXPECT_TRUE(window.session().outcome()->run.complete()) << text();
+}
+
+TEST_F(ImportWindow, WhatIsSaidOfAFileSpeaksTheWordsOfTheDialog) {
+  const std::pair<const char*, const char*> files[] = {{"x,depth\n0,-900\n100,-950\n", "'Second coordinate'"},
+                                                       {"x,z_ft\n0,-900\n100,-950\n", "'Unit of the coordinates'"},
+                                                       {"x,TWT_ms\n0,900\n100,950\n", "times"},
+                                                       {"lon,lat\n0,900\n100,950\n", "degrees"},
+                                                       {"1,234 5,678\n2,345 6,789\n", "'1,234' may be"},
+                                                       {"name,kind,east,alt\nA,bed,0,5\nA,bed,9,5\n", "choose which"},
+                                                       {"name,x,y,z\nA,0,1,5\nA,10,1,6\n", "choose which"},
+                                                       {"x,z,layer\n0,5,A\n9,5,A\n0,3,B\n9,3,B\n", "'Column of names'"},
+                                                       {"z,name,x\n5,A,0\n6,A,10\n", "'How the file is read'"}};
+  for (const auto& [content, words] : files) {
+    drop({folder.write("said.csv", content)}, [&](ImportDialog& dialog) {
+      can_import(dialog);
+      const std::string said = message(dialog);
+      EXPECT_NE(said.find(words), std::string::npos) << content << said;
+      EXPECT_EQ(said.find("--"), std::string::npos) << content << said;
+      EXPECT_EQ(said.find(" = "), std::string::npos) << content << said;
+    });
+  }
+}
+
+TEST_F(ImportWindow, ThePreviewIsDarkBesideDarkWidgets) {
+  const auto file = folder.write("lines.csv", lines);
+  const auto corner = [&] {
+    QRgb seen = 0;
+    drop({file}, [&](ImportDialog& dialog) {
+      shot(dialog, "import_theme");
+      seen = part(dialog, "preview")->grab().toImage().pixel(3, 3);
+    });
+    return QColor(seen).lightness();
+  };
+  EXPECT_GT(corner(), 200);
+  theme::apply(theme::Theme::Dark);
+  EXPECT_LT(corner(), 80);
+  theme::apply(theme::Theme::Light);
+}
+
+/// A line that is copied and pasted beside itself gets a name that is free.
+TEST_F(ImportWindow, ALineThatIsPastedBesideItselfIsProposedAFreeName) {
+  const auto file = folder.write("own.toml",
+                                 "dobra = 1\nprogram = \"recon\"\n[input]\n[[input.horizon]]\nname = \"Top\"\n"
+                                 "points = [[0, 0], [900, 0]]\n");
+  ASSERT_TRUE(window.open(file).ok());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.session().busy(); }, 30000));
+  QApplication::clipboard()->setText("# Top\n0\t50\n900\t60\n");
+  QString proposed;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    look.stop();
+    proposed = dialog->findChild<QLineEdit*>("name")->text();
+    QTest::keyClick(dialog->findChild<QLineEdit*>("name"), Qt::Key_Return);
+  });
+  look.start(20);
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 5000));
+  window.view().setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.view().hasFocus(); }, 5000));
+  // The dialog opens within the key press.
+  QTimer::singleShot(0, [&] { QTest::keyClick(&window.view(), Qt::Key_V, Qt::ControlModifier); });
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !proposed.isEmpty() && QApplication::activeModalWidget() == nullptr; }, 10000));
+  EXPECT_EQ(proposed.toStdString(), "Top (2)");
+  const auto horizons = scenario::entries_of(window.session().document().input, "horizon");
+  ASSERT_EQ(horizons.size(), 2U) << text();
+  EXPECT_EQ(scenario::text_in(horizons[1], "name"), "Top (2)");
 }
 
 TEST_F(ImportWindow, FilesThatAreDroppedTogetherComeInTogether) {

@@ -96,6 +96,11 @@ Catalogue& quantities() {
 
 }  // namespace
 
+const Catalogue& of_import() {
+  static const Catalogue catalogue = from_resources("import_en");
+  return catalogue;
+}
+
 Catalogue::Catalogue(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
     const Parts parts = parts_of(entry.source);

@@ -60,6 +60,9 @@ base::Result<std::vector<Entry>> read_entries(const QString& text);
 const Catalogue& current();
 void install(const QString& language);
 
+/// What the library says of files that are brought in, in the English words of the import dialog.
+const Catalogue& of_import();
+
 /// What stands before the last dot of a quantity's key, in the words of the user's language, English where there is no
 /// other: "horizon.Top" gives "Horizon Top". Names stay; the key itself where it has no words.
 QString words_of_group(const QString& group);

@@ -225,6 +225,8 @@ QWidget* ImportDialog::make_reading_page() {
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   x_ = add_choice(form, text("Column of x"), "x");
+  map_y_ = add_choice(form, text("Column of y on the map"), "map_y");
+  map_y_->setToolTip(text("Where x and y are places on the map, the lines are laid into their vertical plane."));
   height_ = add_choice(form, text("Column of heights or depths"), "height");
   names_ = add_choice(form, text("Column of names"), "names");
   separator_ = add_choice(form, text("Columns are separated by"), "separator");
@@ -282,7 +284,7 @@ void ImportDialog::show_reading() {
   take_->setChecked(model_.taken(file_));
   show_table();
   const bool columns = look.table.has_value();
-  for (QComboBox* choice : {x_, height_, names_, separator_}) choice->setEnabled(columns);
+  for (QComboBox* choice : {x_, map_y_, height_, names_, separator_}) choice->setEnabled(columns);
   for (QComboBox* choice : {axis_, unit_}) choice->setEnabled(look.asks_reading);
   const auto pick = [](QComboBox* choice, const std::string& value) {
     choice->setCurrentIndex(std::max(0, choice->findData(QString::fromStdString(value))));
@@ -291,7 +293,7 @@ void ImportDialog::show_reading() {
   pick(axis_, reading.y_axis);
   pick(unit_, reading.unit);
   reading_->setRowVisible(corners_, look.picture.has_value());
-  for (QComboBox* choice : {x_, height_, names_, separator_}) reading_->setRowVisible(choice, columns);
+  for (QComboBox* choice : {x_, map_y_, height_, names_, separator_}) reading_->setRowVisible(choice, columns);
   all_alike_->setVisible(model_.size() > 1);
   all_alike_->setEnabled(look.asks_reading);
   showing_ = false;
@@ -301,13 +303,15 @@ void ImportDialog::show_table() {
   const std::optional<scenario::ImportTable>& table = model_.look(file_).table;
   table_->clear();
   table_->setVisible(table.has_value());
-  for (QComboBox* choice : {x_, height_, names_}) choice->clear();
+  for (QComboBox* choice : {x_, map_y_, height_, names_}) choice->clear();
   if (!table) return;
   std::size_t count = table->header.size();
   for (const auto& row : table->rows) count = std::max(count, row.size());
   table_->setColumnCount(static_cast<int>(count));
   table_->setRowCount(static_cast<int>(table->rows.size()));
   names_->addItem(text("none, or as the header says"), 0);
+  map_y_->addItem(text("none: x runs along the section"), 0);
+  const std::size_t map_y = model_.reading(file_).map_y;
   for (std::size_t c = 0; c < count; ++c) {
     const QString title = c < table->header.size() && !table->header[c].empty()
                               ? QString("%1: %2").arg(c + 1).arg(QString::fromStdString(table->header[c]))
@@ -315,13 +319,14 @@ void ImportDialog::show_table() {
     QString role;
     if (c + 1 == table->x) role = "x";
     if (c + 1 == table->height) role = model_.reading(file_).y_axis == "down" ? text("depth") : text("height");
+    if (c + 1 == map_y) role = "y";
     if (c + 1 == table->names) role = text("name");
     auto* head = new QTableWidgetItem(role.isEmpty() ? title : title + "\n→ " + role);
     QFont font = table_->font();
     font.setBold(!role.isEmpty());
     head->setFont(font);
     table_->setHorizontalHeaderItem(static_cast<int>(c), head);
-    for (QComboBox* choice : {x_, height_, names_}) choice->addItem(title, static_cast<int>(c + 1));
+    for (QComboBox* choice : {x_, map_y_, height_, names_}) choice->addItem(title, static_cast<int>(c + 1));
     for (std::size_t r = 0; r < table->rows.size(); ++r) {
       const auto& row = table->rows[r];
       table_->setItem(static_cast<int>(r), static_cast<int>(c),
@@ -330,6 +335,7 @@ void ImportDialog::show_table() {
   }
   x_->setCurrentIndex(static_cast<int>(table->x) - 1);
   height_->setCurrentIndex(static_cast<int>(table->height) - 1);
+  map_y_->setCurrentIndex(static_cast<int>(map_y));
   names_->setCurrentIndex(static_cast<int>(model_.reading(file_).names));
   table_->resizeColumnsToContents();
   const int rows = std::min<int>(5, static_cast<int>(table->rows.size()));
@@ -365,13 +371,15 @@ void ImportDialog::read_again() {
     return choice->currentIndex() < 0 ? std::size_t{0} : static_cast<std::size_t>(choice->currentData().toInt());
   };
   if (other_separator) {
-    reading.x = reading.height = reading.names = 0;  // the columns are others now
+    reading.x = reading.map_y = reading.height = reading.names = 0;  // the columns are others now
   } else if (model_.look(file_).table) {
     const scenario::ImportTable& table = *model_.look(file_).table;
-    const bool chosen = column(x_) != table.x || column(height_) != table.height || model_.look(file_).error;
+    const bool chosen =
+        column(x_) != table.x || column(height_) != table.height || column(map_y_) > 0 || model_.look(file_).error;
     if (chosen || reading.x > 0) {
       reading.x = column(x_);
       reading.height = column(height_);
+      reading.map_y = column(map_y_);
     }
     reading.names = column(names_);
   }
@@ -469,7 +477,7 @@ void ImportDialog::judge() {
     for (const std::string& note : made_->notes) said.push_back(QString::fromStdString(note));
     const std::vector<std::string>& remarks = model_.look(file_).remarks;
     for (std::size_t i = 0; i < std::min(most_remarks, remarks.size()); ++i)
-      said.push_back(QString::fromStdString(remarks[i]));
+      said.push_back(wording_({base::ErrorCode::Unclear, remarks[i]}));
     if (remarks.size() > most_remarks) said.push_back(text("and %1 more remarks").arg(remarks.size() - most_remarks));
   } else {
     said.push_back(asked_above(result.error()).value_or(wording_(result.error())));
@@ -484,12 +492,14 @@ void ImportDialog::judge() {
 /// Which columns of a table are meant is asked in the dialog, not on a command line.
 std::optional<QString> ImportDialog::asked_above(const base::Error& error) const {
   if (error.code != base::ErrorCode::Unclear || !error.place) return std::nullopt;
+  if (error.message.find("--columns") == std::string::npos) return std::nullopt;
   for (std::size_t i = 0; i < model_.size(); ++i) {
     const std::optional<scenario::ImportTable>& table = model_.look(i).table;
     if (!table || model_.path(i).string() != error.place->file) continue;
     std::size_t columns = table->header.size();
     for (const auto& row : table->rows) columns = std::max(columns, row.size());
-    return text("%1: choose which of its %2 columns hold x, heights or depths, and names.")
+    return text(
+               "%1: choose which of its %2 columns hold x, heights or depths, and names; for places on the map, y too.")
         .arg(file_name(model_.path(i)))
         .arg(columns);
   }

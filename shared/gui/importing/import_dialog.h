@@ -83,7 +83,7 @@ class ImportDialog : public QDialog {
   QPushButton* apply_ = nullptr;
   QLabel* rules_ = nullptr;
   QTableWidget* table_ = nullptr;
-  QComboBox *x_ = nullptr, *height_ = nullptr, *names_ = nullptr;
+  QComboBox *x_ = nullptr, *map_y_ = nullptr, *height_ = nullptr, *names_ = nullptr;
   QComboBox *separator_ = nullptr, *axis_ = nullptr, *unit_ = nullptr;
   QFormLayout* reading_ = nullptr;
   QLineEdit* corners_ = nullptr;

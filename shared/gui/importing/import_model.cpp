@@ -62,7 +62,7 @@ void ImportModel::read_all_as(std::size_t index) {
   for (std::size_t i = 0; i < files_.size(); ++i) {
     if (i == index || files_[i].look.picture || !files_[i].look.asks_reading) continue;
     scenario::ImportReading reading = like;
-    if (!files_[i].look.table) reading.x = reading.height = reading.names = 0;
+    if (!files_[i].look.table) reading.x = reading.map_y = reading.height = reading.names = 0;
     if (!files_[i].look.table) reading.separator.clear();
     read_as(i, reading);
   }

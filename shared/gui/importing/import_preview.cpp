@@ -9,6 +9,7 @@
 
 #include "shared/geom/box.h"
 #include "shared/gui/importing/words.h"
+#include "shared/gui/theme/colors.h"
 
 namespace dobra::gui::importing {
 
@@ -28,6 +29,19 @@ QPolygonF thinned(const geom::Polyline& line, const auto& place) {
   }
   if (line.closed && !points.empty()) points.push_back(points.front());
   return points;
+}
+
+/// Of the canvas beside widgets of this palette.
+const theme::CanvasColors& colors_beside(const QPalette& palette) {
+  return theme::canvas_colors(theme::canvas_of(theme::CanvasChoice::AsTheme, palette));
+}
+
+QColor to_color(const scene::Color& color) { return {color.red, color.green, color.blue}; }
+
+/// A colour of lines on white, as it is seen on the ground.
+QColor on_ground(const QColor& color, const scene::Ground& ground) {
+  const auto part = [](int value) { return static_cast<std::uint8_t>(value); };
+  return to_color(scene::line_on({part(color.red()), part(color.green()), part(color.blue())}, ground));
 }
 
 double distance_to(QPointF p, QPointF a, QPointF b) {
@@ -109,8 +123,11 @@ std::optional<ImportPreview::Fit> ImportPreview::fit() const {
 void ImportPreview::draw_lines(QPainter& painter, const Fit& fit) const {
   const auto draw = [&](std::size_t i) {
     const scenario::ImportLine& line = look_->lines[i];
-    QColor color = color_of(choices_[i].kind);
-    if (!choices_[i].taken) color = QColor(0, 0, 0, 50);
+    QColor color = on_ground(color_of(choices_[i].kind), colors_beside(palette()).ground);
+    if (!choices_[i].taken) {
+      color = colors_beside(palette()).quiet;
+      color.setAlpha(90);
+    }
     const double width = marked_.contains(i) ? 3.0 : 1.3;
     painter.setPen(QPen(color, width));
     for (const geom::Polyline& part : line.parts) {
@@ -131,7 +148,7 @@ void ImportPreview::draw_lines(QPainter& painter, const Fit& fit) const {
 }
 
 void ImportPreview::draw_frame(QPainter& painter, const Fit& fit) const {
-  painter.setPen(QColor(80, 80, 80));
+  painter.setPen(colors_beside(palette()).quiet);
   const QLocale locale;
   const auto number = [&](double value) { return locale.toString(value, 'g', 6); };
   const geom::Point high{fit.low.x + fit.frame.width() / fit.scale_x, fit.low.y + fit.frame.height() / fit.scale_y};
@@ -148,12 +165,13 @@ void ImportPreview::draw_frame(QPainter& painter, const Fit& fit) const {
 
 void ImportPreview::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::white);
-  painter.setPen(QColor(150, 150, 150));
+  const theme::CanvasColors& colors = colors_beside(palette());
+  painter.fillRect(rect(), to_color(colors.ground.paper));
+  painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
   const auto placed = fit();
   if (!placed) {
-    painter.setPen(QColor(80, 80, 80));
+    painter.setPen(colors.quiet);
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
                      text("Nothing can be shown yet."));
     return;

@@ -20,7 +20,7 @@ class ImportPreview : public QWidget {
   void show_look(const scenario::ImportLook* look, const std::vector<scenario::ImportChoice>& choices);
   /// These lines are drawn strongly.
   void mark(const std::set<std::size_t>& lines);
-  /// The colour of a kind, the same for every file.
+  /// The colour of a kind on white, the same for every file.
   static QColor color_of(const std::string& kind);
 
   [[nodiscard]] QSize sizeHint() const override { return {420, 320}; }

@@ -238,7 +238,7 @@ Result<LineWork> finish(lines::Features raw, const std::string& file, const Form
     work.remarks.push_back(fmt::format("{}: the file says that its unit is {} m; it is taken as {} m, as asked for",
                                        file, *raw.stated.unit, *options.unit));
   }
-  if (!options.unit && raw.stated.unit && work.unit != 1.0) {
+  if (!options.unit && raw.stated.unit && !as_it_is && (work.unit != 1.0 || options.silent_unit != 1.0)) {
     work.remarks.push_back(fmt::format("{}: its unit is {} m, as the file says", file, work.unit));
   }
   if (map) {

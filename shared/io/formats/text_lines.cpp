@@ -7,6 +7,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/lines/text_columns.h"
+#include "shared/io/lines/text_units.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::formats {
@@ -96,6 +97,108 @@ void note_depths(const lines::TextPoints& read, const std::string& header, bool 
   features.stated.y_direction = lines::YDirection::Down;
 }
 
+/// A column that is taken: its header, and the unit that this or the row below states.
+struct StatedColumn {
+  std::string header;
+  lines::HeaderUnit unit;
+};
+
+/// @error BadFormat: header and row below contradict each other.
+Result<StatedColumn> stated_of(const lines::TextPoints& read, std::size_t column, const Place& at) {
+  StatedColumn made;
+  if (column > read.header.size()) return made;
+  made.header = shown(read.header[column - 1]);
+  made.unit = lines::unit_of(read.header[column - 1]);
+  if (column > read.units.size()) return made;
+  const lines::HeaderUnit below = lines::unit_of(read.header[column - 1] + " (" + read.units[column - 1] + ")");
+  using Of = lines::HeaderUnit::Of;
+  const bool same = below.of == made.unit.of && below.metres == made.unit.metres;
+  const std::string& row = read.units[column - 1];
+  if (made.unit.of != Of::Nothing && below.of != Of::Nothing && !same && made.unit.word != "twt" &&
+      made.unit.word != "time") {
+    return base::Error{base::ErrorCode::BadFormat,
+                       fmt::format("the header {} and the unit {} in the row below it are different ones; correct one",
+                                   made.header, shown(row)),
+                       at};
+  }
+  if (below.of == Of::Nothing) return made;
+  made.unit = below;
+  made.header = shown(read.header[column - 1] + " " + row);
+  return made;
+}
+
+/// Times and degrees are no places in a section. @error BadFormat, Unclear
+Result<void> check_length(const StatedColumn& column, Coordinates coordinates, const Place& at) {
+  using Of = lines::HeaderUnit::Of;
+  if (column.unit.of == Of::Time) {
+    return base::Error{base::ErrorCode::BadFormat,
+                       fmt::format("the header {} says that the column holds times ({}), and a section is made of "
+                                   "lengths; turn the times into depths first, or take another column",
+                                   column.header, column.unit.word),
+                       at};
+  }
+  if (column.unit.of != Of::Angle || coordinates != Coordinates::Detect) return {};
+  return base::Error{
+      base::ErrorCode::Unclear,
+      fmt::format("the header {} says that the column holds degrees; project the coordinates to metres "
+                  "first, or say that they are no degrees: coordinates = section (--coordinates section)",
+                  column.header),
+      at};
+}
+
+/// What the headers of the columns that are taken say of their units.
+/// @error BadFormat: times; units that one unit for all cannot be; Unclear: degrees
+Result<void> state_units(const lines::TextPoints& read, const std::string& file, const LineOptions& options,
+                         lines::Features& features) {
+  using Of = lines::HeaderUnit::Of;
+  const Place at{.file = file, .line = read.header_line};
+  std::vector<StatedColumn> columns;
+  for (const std::size_t column : read.columns) {
+    DOBRA_TRY(columns.emplace_back(), stated_of(read, column, at));
+    DOBRA_TRY_VOID(check_length(columns.back(), options.coordinates, at));
+  }
+  const StatedColumn& across = columns.front();
+  const StatedColumn& height = columns.back();
+  const auto says = [](const StatedColumn& column) { return column.unit.of == Of::Length; };
+  const auto same = [](const StatedColumn& a, const StatedColumn& b) {
+    return a.unit.of == b.unit.of && a.unit.metres == b.unit.metres;
+  };
+  if (columns.size() == 3 && !same(across, columns[1]) && (says(across) || says(columns[1]))) {
+    return base::Error{base::ErrorCode::BadFormat,
+                       fmt::format("the headers {} and {} of the map coordinates state different units; bring both to "
+                                   "one",
+                                   across.header, columns[1].header),
+                       at};
+  }
+  if (says(across) && says(height) && !same(across, height)) {
+    if (options.unit || options.unit_wanted == UnitWanted::OfTheFile) {
+      return base::Error{base::ErrorCode::BadFormat,
+                         fmt::format("the headers {} and {} state different units, and one is asked for; leave the "
+                                     "unit to the file, or bring both columns to one",
+                                     across.header, height.header),
+                         at};
+    }
+    features.stated.unit = across.unit.metres;
+    features.stated.height_unit = height.unit.metres;
+    features.remarks.push_back(fmt::format("{}: {} is taken in {} and {} in {}, as their headers say", file,
+                                           across.header, across.unit.word, height.header, height.unit.word));
+    return {};
+  }
+  if (!says(across) && !says(height)) return {};
+  const StatedColumn& stated = says(across) ? across : height;
+  const StatedColumn& silent = says(across) ? height : across;
+  const bool one = says(across) && says(height);
+  if (!one && stated.unit.metres == options.silent_unit) return {};
+  features.stated.unit = stated.unit.metres;
+  if (one || options.unit_wanted == UnitWanted::OfTheFile) return {};
+  features.stated.questions.push_back(
+      {lines::Question::About::Unit,
+       fmt::format("the header {} states a unit, {}, and {} states none; write it in both, or give the unit of both: "
+                   "unit = m, km, ft, in, cm or mm (--unit)",
+                   stated.header, stated.unit.word, silent.header)});
+  return {};
+}
+
 /// The i-th line that was read, which is taken.
 Result<void> add_line(std::size_t i, const std::string& file, lines::Faulty faulty, lines::TextPoints& read,
                       lines::Features& features) {
@@ -163,6 +266,7 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
   DOBRA_TRY(lines::TextPoints read, lines::parse_text_points(text, file, wanted));
   if (!chosen) DOBRA_TRY_VOID(check_words(text, file, wanted, read));
   lines::Features features{{}, std::move(read.remarks)};
+  DOBRA_TRY_VOID(state_units(read, file, options, features));
   if (!options.y_direction) note_depths(read, height_header(read, wanted), chosen, features, file);
   if (holes > 0)
     features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));

@@ -9,6 +9,8 @@
 
 #include "shared/base/text.h"
 #include "shared/io/lines/text_fields.h"
+#include "shared/io/lines/text_numbers.h"
+#include "shared/io/lines/text_units.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::lines {
@@ -58,7 +60,7 @@ struct ColumnTexts {
     }
     if (text.empty()) return;
     ++filled;
-    if (base::parse_number(text)) ++numbers;
+    if (may_be_number(text)) ++numbers;
   }
 
   [[nodiscard]] WordsAre meaning(std::size_t rows) const {
@@ -87,11 +89,13 @@ std::vector<ColumnTexts> column_texts(std::string_view text, Separator separator
   std::vector<ColumnTexts> columns;
   std::vector<Word> fields;
   bool skip = has_header;
+  bool below_header = has_header;
   Lines lines(text);
   while (lines.next()) {
     if (is_empty(lines.line()) || is_comment(lines.line()) || std::exchange(skip, false)) continue;
     split_fields(lines.line(), separator, fields);
     drop_comment(fields, separator);
+    if (std::exchange(below_header, false) && is_units_row(fields)) continue;
     if (rows == 0) columns.resize(std::max<std::size_t>(fields.size(), 3));
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (std::find(used.begin(), used.end(), i + 1) != used.end()) continue;
@@ -175,7 +179,7 @@ base::Result<std::optional<PositionColumns>> position_columns(std::string_view t
   const std::optional<PositionColumns> none;
   std::vector<Word> header;
   const std::string_view row = first_row(text);
-  split_fields(row, separator == Separator::Detect ? separator_of_header(row) : separator, header);
+  split_header(row, separator == Separator::Detect ? separator_of_header(row) : separator, header);
   if (header.size() < 2 || (says_distance(header[0].text) && says_height(header[1].text))) return none;
   const auto has = [&](std::string_view word) {
     return std::any_of(header.begin(), header.end(), [&](const Word& w) { return quantity_of(w.text) == word; });

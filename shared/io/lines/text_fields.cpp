@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "shared/io/lines/text_numbers.h"
+
 namespace dobra::io::lines {
 
 bool is_comment(std::string_view line) {
@@ -50,6 +52,22 @@ void split_fields(std::string_view line, Separator separator, std::vector<Word>&
     fields.push_back({line.substr(low, high - low), low + 1});
     begin = i + 1;
   }
+}
+
+void split_header(std::string_view line, Separator separator, std::vector<Word>& fields) {
+  split_fields(line, separator, fields);
+  if (separator != Separator::Blank) return;
+  if (std::any_of(fields.begin(), fields.end(), [](const Word& field) { return may_be_number(field.text); })) return;
+  std::vector<Word> joined;
+  for (const Word& field : fields) {
+    if (joined.empty() || (field.text.front() != '(' && field.text.front() != '[')) {
+      joined.push_back(field);
+      continue;
+    }
+    const char* const begin = joined.back().text.data();
+    joined.back().text = {begin, static_cast<std::size_t>(field.text.data() + field.text.size() - begin)};
+  }
+  fields = std::move(joined);
 }
 
 Separator separator_of_header(std::string_view header) {

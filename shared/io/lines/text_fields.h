@@ -17,6 +17,8 @@ bool is_empty(std::string_view line);
 char sign_of(Separator separator);
 /// Fields of a line; a field in double quotes may hold the separator.
 void split_fields(std::string_view line, Separator separator, std::vector<Word>& fields);
+/// The same of a header: a unit in brackets between blanks belongs to the word before it.
+void split_header(std::string_view line, Separator separator, std::vector<Word>& fields);
 /// The one under which a header has most fields.
 Separator separator_of_header(std::string_view header);
 /// The first line that is neither empty nor a comment.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "shared/base/text.h"
@@ -13,6 +14,8 @@
 #include "shared/io/lines/line_kinds.h"
 #include "shared/io/lines/text_columns.h"
 #include "shared/io/lines/text_fields.h"
+#include "shared/io/lines/text_numbers.h"
+#include "shared/io/lines/text_units.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::lines {
@@ -27,6 +30,7 @@ using geom::Polyline;
 namespace {
 
 constexpr std::size_t detect_lines = 1000;
+constexpr double highest = std::numeric_limits<double>::max();
 
 std::string name_of(Separator separator) {
   switch (separator) {
@@ -42,7 +46,12 @@ std::string name_of(Separator separator) {
 }
 
 bool is_number(const std::vector<Word>& fields, std::size_t column) {
-  return column <= fields.size() && base::parse_number(fields[column - 1].text).has_value();
+  return column > 0 && column <= fields.size() && may_be_number(fields[column - 1].text);
+}
+
+/// Without blanks between its digits.
+bool is_written_plainly(std::string_view field) {
+  return base::parse_number(field) || field.find(',') != std::string_view::npos;
 }
 
 // Columns by number, from 1; no z: 0.
@@ -79,7 +88,11 @@ Separator detect_separator(std::string_view text, std::size_t x, std::size_t y) 
         in_first_line = candidates[i];
       }
       split_fields(line, candidates[i], fields);
-      if (is_number(fields, x) && is_number(fields, y)) ++fits[i];
+      if (!is_number(fields, x) || !is_number(fields, y)) continue;
+      // "1,234 567,8" is not 1, 234567 and 8.
+      const bool plain = candidates[i] != Separator::Comma ||
+                         (is_written_plainly(fields[x - 1].text) && is_written_plainly(fields[y - 1].text));
+      if (plain) ++fits[i];
     }
   }
   const auto best = std::max_element(fits.begin(), fits.end());
@@ -142,7 +155,9 @@ class TextPointsReader {
 
   Result<TextPoints> run() {
     if (auto begun = begin(); !begun) return base::located(begun.error(), Place{.file = file_});
+    DOBRA_TRY_VOID(find_sign());
     bool first = true;
+    bool below_header = has_header_;
     while (lines_.next()) {
       const std::string_view line = lines_.line();
       if (is_comment(line)) continue;
@@ -151,10 +166,18 @@ class TextPointsReader {
         continue;
       }
       split_fields(line, points_.separator, fields_);
-      if (std::exchange(first, false) && has_header_) continue;
+      if (std::exchange(first, false) && has_header_) {
+        points_.header_line = lines_.number();
+        continue;
+      }
+      if (std::exchange(below_header, false) && is_units_row(fields_)) {
+        for (const Word& field : fields_) points_.units.emplace_back(field.text);
+        continue;
+      }
       DOBRA_TRY_VOID(add_point());
     }
     DOBRA_TRY_VOID(finish_all());
+    DOBRA_TRY_VOID(check_values());
     if (points_.lines.empty()) {
       return Error{ErrorCode::EmptyFile, "the file holds no points; give at least two", Place{.file = file_}};
     }
@@ -185,7 +208,7 @@ class TextPointsReader {
       points_.separator = detect_separator(text_, column_number(options_.columns[0]).value_or(1),
                                            column_number(options_.columns[1]).value_or(2));
     }
-    split_fields(row, points_.separator, fields_);
+    split_header(row, points_.separator, fields_);
     points_.column_count = fields_.size();
     has_header_ = options_.header == Header::Present || !by_name.empty();
     DOBRA_TRY(columns_, resolve(options_, fields_, has_header_));
@@ -198,7 +221,77 @@ class TextPointsReader {
       for (const Word& field : fields_) points_.header.emplace_back(field.text);
     }
     if (has_header_ && columns_.names.empty()) name_by_header();
+    points_.columns = {columns_.x, columns_.y};
+    if (columns_.z > 0) points_.columns.push_back(columns_.z);
     return {};
+  }
+
+  /// The decimal sign of the numbers that are read. @error Unclear with line and column
+  Result<void> find_sign() {
+    if (text_.find(',') == std::string_view::npos) return {};
+    if (points_.separator == Separator::Comma && text_.find('"') == std::string_view::npos) return {};
+    DecimalSigns signs;
+    std::vector<std::size_t> used = points_.columns;
+    used.insert(used.end(), columns_.extras.begin(), columns_.extras.end());
+    bool skip = has_header_;
+    for (Lines rows(text_); rows.next();) {
+      if (is_comment(rows.line()) || is_empty(rows.line()) || std::exchange(skip, false)) continue;
+      split_fields(rows.line(), points_.separator, fields_);
+      for (const std::size_t column : used) {
+        if (column <= fields_.size()) signs.add(fields_[column - 1].text, rows.number(), fields_[column - 1].column);
+      }
+    }
+    auto sign = signs.sign();
+    if (!sign) {
+      Error error = sign.error();
+      error.place->file = file_;
+      return error;
+    }
+    sign_ = *sign;
+    if (sign_ == DecimalSign::Comma)
+      points_.remarks.push_back(fmt::format("{}: its numbers are read with decimal commas", file_));
+    if (const std::string& marked = signs.with_marks(sign_); !marked.empty())
+      points_.remarks.push_back(
+          fmt::format("{}: marks of thousands in numbers such as {} are left out", file_, shown(marked)));
+    return {};
+  }
+
+  /// What may stand for no value, in x, y or height.
+  void note_value(std::size_t coordinate, double value, std::size_t column) {
+    if (stands_for_none(value)) {
+      doubtful_[coordinate].push_back(
+          {value, std::string(fields_[column - 1].text), lines_.number(), fields_[column - 1].column});
+      return;
+    }
+    least_[coordinate] = std::min(least_[coordinate], value);
+    most_[coordinate] = std::max(most_[coordinate], value);
+  }
+
+  /// @error BadFormat with the place: a value such as -999.25 that lies far from all others.
+  [[nodiscard]] Result<void> check_values() const {
+    for (std::size_t i = 0; i < doubtful_.size(); ++i) {
+      const double extent = std::max(most_[i] - least_[i], 0.0);
+      for (const Doubtful& one : doubtful_[i]) {
+        const bool alone = least_[i] > most_[i];
+        const bool near = !alone && one.value >= least_[i] - extent && one.value <= most_[i] + extent;
+        if (near || alone) continue;
+        return Error{ErrorCode::BadFormat,
+                     fmt::format("{} stands for no value in many programs, and lies far from all other numbers of its "
+                                 "column; take the row out, or give its value",
+                                 one.text),
+                     Place{.file = file_, .line = one.line, .column = one.column}};
+      }
+    }
+    return {};
+  }
+
+  /// More fields than headers, each number in two: commas part the columns and are the decimal sign.
+  [[nodiscard]] bool has_commas_of_both_kinds() const {
+    if (points_.separator != Separator::Comma || points_.header.size() < 2) return false;
+    if (fields_.size() != 2 * points_.header.size()) return false;
+    return std::all_of(fields_.begin(), fields_.end(), [](const Word& field) {
+      return !field.text.empty() && field.text.find_first_not_of("+-0123456789") == std::string_view::npos;
+    });
   }
 
   /// The column that a header calls "Camada", "horizon" or the like.
@@ -221,6 +314,8 @@ class TextPointsReader {
                                fields_.size(), name_of(points_.separator), shown(lines_.line())),
                    at};
     }
+    if (const auto written = number_in(fields_[column - 1].text, sign_); written && std::isfinite(*written))
+      return *written;
     Result<double> value = finite_number(fields_[column - 1].text, what);
     if (value) return value;
     Error error = value.error();
@@ -246,7 +341,7 @@ class TextPointsReader {
     std::string name = text_in(column);
     for (std::size_t i = column; i < fields_.size(); ++i) {
       const std::string_view word = fields_[i].text;
-      if (word.starts_with('#') || (!has_header_ && base::parse_number(word))) break;
+      if (word.starts_with('#') || (!has_header_ && may_be_number(word))) break;
       name += ' ' + std::string(word);
     }
     if (name.size() > 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
@@ -275,12 +370,23 @@ class TextPointsReader {
 
   Result<void> add_point() {
     DOBRA_TRY_VOID(check_words_of_names());
+    if (has_commas_of_both_kinds()) {
+      return Error{
+          ErrorCode::BadFormat,
+          fmt::format("this line has {} numbers between commas, and the header {} columns: its commas seem to be "
+                      "decimal signs, too; part the columns by semicolons, or write '.' as the decimal sign",
+                      fields_.size(), points_.header.size()),
+          Place{.file = file_, .line = lines_.number()}};
+    }
     DOBRA_TRY(const double x, number(columns_.x, "x"));
     DOBRA_TRY(const double y, number(columns_.y, "y"));
     double z = 0.0;
     if (columns_.z > 0) {
       DOBRA_TRY(z, number(columns_.z, "height"));
+      note_value(2, z, columns_.z);
     }
+    note_value(0, x, columns_.x);
+    note_value(1, y, columns_.y);
     Line& line = line_of_row();
     if (points_.lines.empty() && line.points.empty()) points_.third_is_number = is_number(fields_, 3);
     const Point point{x, y};
@@ -332,10 +438,20 @@ class TextPointsReader {
     return {};
   }
 
+  [[nodiscard]] bool is_kind(const std::string& word) const {
+    if (options_.kinds.empty()) return known_kind(word).has_value();
+    return std::find(options_.kinds.begin(), options_.kinds.end(), word) != options_.kinds.end();
+  }
+  [[nodiscard]] std::string hint_of_kind(const std::string& word) const {
+    if (options_.kinds.empty()) return kind_hint(word);
+    if (std::string hint = base::did_you_mean(word, options_.kinds); !hint.empty()) return hint;
+    return fmt::format("; give one of {}", fmt::join(options_.kinds, ", "));
+  }
+
   /// A row stands alone where its name or kind differs from those of its neighbours, itself or a neighbour misspelt.
   [[nodiscard]] Error lone_point(const Line& line) const {
     const auto unknown = [&](const Line& other) {
-      return other.name == line.name && other.points.size() == 1 && !other.kind.empty() && !known_kind(other.kind);
+      return other.name == line.name && other.points.size() == 1 && !other.kind.empty() && !is_kind(other.kind);
     };
     const auto misspelt = std::find_if(open_.begin(), open_.end(), unknown);
     const Line& lone = misspelt != open_.end() && !unknown(line) ? *misspelt : line;
@@ -343,7 +459,7 @@ class TextPointsReader {
                 {},
                 Place{.file = file_, .line = lone.begin, .x = lone.points[0].x, .y = lone.points[0].y}};
     if (unknown(lone)) {
-      error.message = fmt::format("unknown kind '{}', in this row only{}", lone.kind, kind_hint(lone.kind));
+      error.message = fmt::format("unknown kind '{}', in this row only{}", lone.kind, hint_of_kind(lone.kind));
       return error;
     }
     const std::string name = line.name.empty() ? std::string() : fmt::format(" '{}'", line.name);
@@ -376,6 +492,15 @@ class TextPointsReader {
   TextPointsOptions options_;
   Columns columns_;
   bool has_header_ = false;
+  DecimalSign sign_ = DecimalSign::Point;
+  struct Doubtful {
+    double value = 0.0;
+    std::string text;
+    std::size_t line = 0, column = 0;
+  };
+  std::array<std::vector<Doubtful>, 3> doubtful_;  ///< Of x, y and height.
+  std::array<double, 3> least_{highest, highest, highest};
+  std::array<double, 3> most_{-highest, -highest, -highest};
   TextPoints points_;
   std::vector<Line> open_;
   std::vector<std::size_t> repeated_;

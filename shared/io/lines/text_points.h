@@ -1,6 +1,7 @@
 #pragma once
 // Lines as columns of numbers: "x y", CSV, TSV and the like, one point a line. Digitised sections come this way.
-// Comment lines start with '#'; LF, CRLF and CR line ends and a byte order mark are read; the decimal sign is '.'.
+// Comment lines start with '#'; LF, CRLF and CR line ends and a byte order mark are read. The decimal sign is '.', or
+// ',' where all numbers of the file read so; marks of thousands are left out where they can be nothing else.
 
 #include <array>
 #include <span>
@@ -42,6 +43,7 @@ struct TextPointsOptions {
   Rows rows = Rows::Consecutive;
   BlankLines blank_lines = BlankLines::Ignore;  ///< SplitLines: a blank line ends a line of points.
   Closing closing = Closing::KeepOpen;
+  std::vector<std::string> kinds = {};  ///< The words that a column of kinds may hold; empty: those of sections.
 };
 
 struct TextPoints {
@@ -55,13 +57,17 @@ struct TextPoints {
   Separator separator = Separator::Blank;    ///< As used.
   std::size_t column_count = 0;              ///< Of the first row.
   std::vector<std::string> header;           ///< As it stands; empty without one.
+  std::size_t header_line = 0;               ///< Its number in the file; 0 without one.
+  std::vector<std::string> units;            ///< Of a row of units below the header; empty without one.
+  std::vector<std::size_t> columns;          ///< Those of x and y, or of x, y and a height, from 1.
   bool third_is_number = false;              ///< Whether the third column of the first row of numbers is one.
 };
 
 /// The lines of a file of points.
 /// @error FileNotFound, NotAFile, CannotRead; EmptyFile; BadFormat and NotFinite with line and column (binary file,
-///        non-numeric text, NaN, too few columns, header only); DegenerateCurve with the line: fewer than two distinct
-///        points; InvalidOption. @cost O(file size).
+///        non-numeric text, NaN, too few columns, header only, -999.25 and the like far from all other values);
+///        Unclear: numbers that mean two things, with line and column; DegenerateCurve with the line: fewer than two
+///        distinct points; InvalidOption. @cost O(file size).
 base::Result<TextPoints> read_text_points(const std::string& path, const TextPointsOptions& options = {});
 
 /// The same from text in memory; `file` is the name that errors show.

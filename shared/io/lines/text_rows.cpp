@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 
-#include "shared/base/text.h"
 #include "shared/io/lines/text_columns.h"
 #include "shared/io/lines/text_fields.h"
+#include "shared/io/lines/text_numbers.h"
+#include "shared/io/lines/text_units.h"
 
 namespace dobra::io::lines {
 
 namespace {
 
 std::size_t numbers_in(const std::vector<Word>& fields) {
-  return static_cast<std::size_t>(std::count_if(
-      fields.begin(), fields.end(), [](const Word& field) { return base::parse_number(field.text).has_value(); }));
+  return static_cast<std::size_t>(
+      std::count_if(fields.begin(), fields.end(), [](const Word& field) { return may_be_number(field.text); }));
 }
 
 /// The separator under which most of the rows give two numbers.
@@ -34,6 +35,11 @@ Separator separator_of(const std::vector<std::string_view>& rows) {
 
 }  // namespace
 
+bool is_above_nought(std::string_view field) {
+  const NumberReadings readings = readings_of(field);
+  return readings.with_point.value_or(readings.with_comma.value_or(0.0)) > 0.0;
+}
+
 TextRows first_rows(std::string_view text, Separator separator, std::size_t most) {
   std::vector<std::string_view> lines;
   Lines all(text);
@@ -44,10 +50,19 @@ TextRows first_rows(std::string_view text, Separator separator, std::size_t most
   made.separator = separator == Separator::Detect ? separator_of(lines) : separator;
   std::vector<Word> fields;
   for (const std::string_view line : lines) {
-    split_fields(line, made.separator, fields);
+    const bool first = made.rows.empty() && made.header.empty();
+    if (first)
+      split_header(line, made.separator, fields);
+    else
+      split_fields(line, made.separator, fields);
     std::vector<std::string> row;
     for (const Word& field : fields) row.emplace_back(field.text);
-    const bool first = made.rows.empty() && made.header.empty();
+    if (!made.header.empty() && made.rows.empty() && is_units_row(fields)) {
+      for (std::size_t i = 0; i < std::min(row.size(), made.header.size()); ++i) {
+        if (!row[i].empty() && row[i] != "-") made.header[i] += ' ' + row[i];
+      }
+      continue;
+    }
     if (first && numbers_in(fields) < 2) {
       made.header = std::move(row);
     } else {

@@ -21,4 +21,7 @@ struct TextRows {
 /// Comments and empty lines are left out. @param most  rows, the header not counted.
 TextRows first_rows(std::string_view text, Separator separator, std::size_t most);
 
+/// Whether a field is a number above nought, whatever its decimal sign.
+bool is_above_nought(std::string_view field);
+
 }  // namespace dobra::io::lines

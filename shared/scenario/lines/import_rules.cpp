@@ -7,7 +7,6 @@
 #include <fstream>
 #include <map>
 
-#include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/lines/line_kinds.h"
 #include "shared/io/lines/text_columns.h"
@@ -136,8 +135,7 @@ std::optional<ImportTable> table_of(const std::string& path, const ImportReading
   table.depth =
       table.height > 0 && table.height <= table.header.size() && io::lines::says_depth(table.header[table.height - 1]);
   table.negative = std::ranges::none_of(table.rows, [&](const std::vector<std::string>& row) {
-    return table.height > 0 && table.height <= row.size() &&
-           base::parse_number(row[table.height - 1]).value_or(0.0) > 0;
+    return table.height > 0 && table.height <= row.size() && io::lines::is_above_nought(row[table.height - 1]);
   });
   return table;
 }
@@ -154,6 +152,8 @@ std::string stem_of(const std::filesystem::path& file) { return file.stem().stri
 
 std::vector<std::string> columns_by(const ImportReading& reading) {
   if (reading.x == 0 && reading.height == 0) return {};
+  if (reading.map_y > 0)
+    return {fmt::format("{}", reading.x), fmt::format("{}", reading.map_y), fmt::format("{}", reading.height)};
   return {fmt::format("{}", reading.x), fmt::format("{}", reading.height)};
 }
 

@@ -158,6 +158,21 @@ TEST_F(QuebraImport, WhatIsNoDrawingIsSaid) {
   }
 }
 
+TEST_F(QuebraImport, ACrackWithoutLengthIsRefusedInTheWordsOfDrawings) {
+  const std::string outline = "0,0,plate,outline\n9,0,plate,outline\n9,9,plate,outline\n0,0,plate,outline\n";
+  const ImportLook seen = look(write("c.csv", "x,y,name,kind\n" + outline + "4,4,c1,crack\n4,4,c1,crack\n"));
+  ASSERT_TRUE(seen.error);
+  EXPECT_NE(seen.error->message.find("two distinct points"), std::string::npos) << seen.error->message;
+  EXPECT_NE(seen.error->message.find("'crack'"), std::string::npos) << seen.error->message;
+  EXPECT_EQ(seen.error->message.find("unknown"), std::string::npos) << seen.error->message;
+  EXPECT_EQ(seen.error->place->line, 6U);
+  const ImportLook misspelt = look(write("d.csv", "x,y,name,kind\n" + outline + "4,4,c1,fissura\n5,4,c1,crack\n"));
+  ASSERT_TRUE(misspelt.error);
+  EXPECT_NE(misspelt.error->message.find("outline, hole, internal, crack"), std::string::npos)
+      << misspelt.error->message;
+  EXPECT_EQ(misspelt.error->message.find("horizon"), std::string::npos) << misspelt.error->message;
+}
+
 TEST_F(QuebraImport, AKindThatIsNoneIsRefusedWithTheWordsThatAre) {
   write("plate.csv", plate_csv);
   const auto model = try_model(document_of("[input]\nfile = \"plate.csv\"\nkind = [\"c*=crak\"]\n"));

@@ -201,6 +201,69 @@ TEST_F(ImportingTest, AFileOfOneLineIsCalledAsTheFile) {
   EXPECT_DOUBLE_EQ(section.horizons[0].line.points[1].y, -98000.0);
 }
 
+/// One way of reading: what [[input.lines]] reads of a file of several lines, [[input.horizon]] reads of each.
+TEST_F(ImportingTest, AHorizonOutOfAFileOfSeveralLinesIsReadAsAllOfThemAre) {
+  for (const char* const text :
+       {"camada,x,prof\nTop,0,10\nTop,100,12\nBase,0,50\nBase,100,52\n",
+        "layer;z_km;x_km\nTop;-0,010;0\nTop;-0,012;0,1\nBase;-0,05;0\nBase;-0,052;0,1\n",
+        "x (ft) depth (ft) name\n0 32.80839895013123 Top\n328.0839895013123 39.37007874015748 Top\n0 "
+        "164.04199475065616 Base\n328.0839895013123 170.60367454068241 Base\n"}) {
+    write("several.csv", text);
+    SectionInput all, each;
+    all.lines.emplace_back().file = "several.csv";
+    for (const char* const name : {"Top", "Base"}) {
+      HorizonInput& horizon = each.horizons.emplace_back();
+      horizon.name = horizon.feature = name;
+      horizon.file = "several.csv";
+    }
+    const auto whole = read_section(all, {.folder = folder}, {});
+    const auto apart = read_section(each, {.folder = folder}, {});
+    ASSERT_TRUE(whole) << text << to_string(whole.error());
+    ASSERT_TRUE(apart) << text << to_string(apart.error());
+    ASSERT_EQ(apart->section.horizons.size(), 2U) << text;
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(apart->section.horizons[i].line, whole->section.horizons[i].line) << text;
+    EXPECT_NEAR(apart->section.horizons[0].line.points[1].x, 100.0, 1e-9) << text;
+    EXPECT_NEAR(apart->section.horizons[0].line.points[1].y, -12.0, 1e-9) << text;
+  }
+}
+
+TEST_F(ImportingTest, ALineWithoutANameInAFileOfDepthsIsTakenAsItIsSeen) {
+  for (const char* const text :
+       {"x,depth\n0,10\n100,12\n", "prof (m);dist (m)\n10;0\n12;100\n", "x_km,tvdss_m\n0,10\n0.1,12\n"}) {
+    const fs::path file = write("bed.csv", text);
+    const ImportLook seen = look(file);
+    ASSERT_FALSE(seen.error) << to_string(*seen.error);
+    const section::Section read = section_of(again(take(seen, proposed(file, seen))));
+    ASSERT_EQ(read.horizons.size(), 1U) << text;
+    EXPECT_EQ(read.horizons[0].line.points, (std::vector<geom::Point>{{0, -10}, {100, -12}})) << text;
+  }
+}
+
+TEST_F(ImportingTest, PlacesOnTheMapAreLaidIntoTheirPlane) {
+  // Along the direction (3, 4): x of the section is the distance from the first point.
+  const fs::path file = write("map.csv", "x,y,height\n300,400,5\n330,440,6\n360,480,4\n");
+  ImportReading reading;
+  reading.x = 1;
+  reading.map_y = 2;
+  reading.height = 3;
+  const ImportLook seen = look(file, reading);
+  ASSERT_FALSE(seen.error) << to_string(*seen.error);
+  ImportFile wanted = proposed(file, seen);
+  wanted.reading = reading;
+  const section::Section read = section_of(again(take(seen, wanted)));
+  ASSERT_EQ(read.horizons.size(), 1U);
+  const auto& points = read.horizons[0].line.points;
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_NEAR(std::abs(points[2].x - points[0].x), 100.0, 1e-9);
+  EXPECT_NEAR(points[1].y, 6.0, 1e-12);
+  // x alone.
+  reading.map_y = 0;
+  const ImportLook alone = look(file, reading);
+  ASSERT_FALSE(alone.error) << to_string(*alone.error);
+  EXPECT_EQ(alone.lines[0].parts[0].points[2], (geom::Point{360, 4}));
+}
+
 /// Three columns of numbers: which are x and height is asked, and the first rows are shown all the same.
 TEST_F(ImportingTest, WhatAFileLeavesOpenIsAskedWithItsRowsInSight) {
   const fs::path file = write("three.txt", "3 1 99\n4 2 98\n5 1 97\n");

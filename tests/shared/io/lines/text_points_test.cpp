@@ -117,7 +117,7 @@ TEST(TextPoints, BadTextIsRefusedWithItsPlace) {
       {"0 1\n2 1e999\n", ErrorCode::BadFormat, "f:2:3", "'1e999'"},
       {"0 1\n\n2\n", ErrorCode::BadFormat, "f:3:2", "column 2, but this line has 1 separated by"},
       {"0;1\n2;\n", ErrorCode::BadFormat, "f:2:3", "y is missing"},
-      {"1,5;2,5\n1,6;2,6\n", ErrorCode::BadFormat, "f:2:1", "write '.' as the decimal sign"},
+      {"1,5;2,5\n1,6.2;2,6\n", ErrorCode::BadFormat, "f:2:1", "write '.' as the decimal sign"},
       {"x y\na b\n", ErrorCode::BadFormat, "f:2:1", "x 'a' is not a number"},
       {"0 1\n2 \x01\x02\n", ErrorCode::BadFormat, "f:2:3",
        "'?"
