@@ -58,14 +58,15 @@ class WindowPartTest : public testing::Test {
                        .icon = [](QPainter& painter) { painter.drawLine(QPointF(12, 2), QPointF(12, 22)); },
                        .key = QKeySequence(Qt::Key_Q),
                        .make = [](const Desk& desk) { return std::make_unique<Height>(desk.session); }}},
-            .panels = {{.name = "amplitude", .title = "Amplitude", .make = [](const Desk& desk, QWidget* parent) -> QWidget* {
-                          auto* made = new QLabel(parent);
-                          QObject::connect(&desk.session, &Session::run_finished, made, [made, &session = desk.session] {
-                            const scenario::Value* now = session.document().input.find("amplitude");
-                            made->setText(now == nullptr ? QString("none") : QString::number(std::get<double>(*now)));
-                          });
-                          return made;
-                        }}}};
+            .panels = {
+                {.name = "amplitude", .title = "Amplitude", .make = [](const Desk& desk, QWidget* parent) -> QWidget* {
+                   auto* made = new QLabel(parent);
+                   QObject::connect(&desk.session, &Session::run_finished, made, [made, &session = desk.session] {
+                     const scenario::Value* now = session.document().input.find("amplitude");
+                     made->setText(now == nullptr ? QString("none") : QString::number(std::get<double>(*now)));
+                   });
+                   return made;
+                 }}}};
   }
 
   test::TemporaryFolder folder;
