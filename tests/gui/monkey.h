@@ -208,7 +208,8 @@ class Monkey {
     const int how = below(8);
     note("answer ", how, " to ", dialog->metaObject()->className());
     if (how == 0 || buttons.isEmpty()) return dialog->reject();
-    if (how < 3) return press_key(focus());
+    // To the dialog, as a window system does that lets nobody past it; it may not have the focus yet.
+    if (how < 3) return press_key(dialog->focusWidget() != nullptr ? dialog->focusWidget() : dialog);
     QTest::mouseClick(buttons[below(static_cast<int>(buttons.size()))], Qt::LeftButton);
   }
   void answer_popup(QWidget& popup) {
