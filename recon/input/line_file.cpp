@@ -7,6 +7,7 @@
 
 #include "recon/input/import.h"
 #include "shared/base/text.h"
+#include "shared/io/file.h"
 #include "shared/io/formats/line_files.h"
 
 namespace recon::input {
@@ -54,6 +55,11 @@ io::formats::LineOptions options_of(const Input& input, const ReadSettings& sett
   if (input.drop_duplicates > 0.0) options.repair.duplicates = input.drop_duplicates;
   if (input.join_gaps > 0.0) options.repair.gaps = input.join_gaps;
   return options;
+}
+
+bool has_blank_lines(const std::string& path) {
+  const auto text = io::read_text(path);
+  return text && (text->find("\n\n") != std::string::npos || text->find("\n\r\n") != std::string::npos);
 }
 
 /// The lines of that name, or without a name all there are if they share one.
@@ -115,7 +121,7 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
       work = std::move(*split);
     else
       work.remarks.push_back("blank lines are not taken for the ends of pieces, since a single row stands between two");
-  } else if (work.format->name == "text") {
+  } else if (work.format->name == "text" && has_blank_lines(path)) {
     options.text.blank_lines = io::lines::BlankLines::SplitLines;
     const auto split = io::formats::read_any_lines(path, options);
     if (split && split->features.size() > work.features.size())

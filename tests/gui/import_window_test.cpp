@@ -425,7 +425,7 @@ TEST_F(ImportWindow, WhatIsWrongInAFileIsSaidWithItsLine) {
   const std::pair<std::string, const char*> files[] = {
       {"x;z\n0;1\n10,2\n20;3\n", "mixed.csv:3"}, {"x,z\n0,1\n10,two\n20,3\n", "mixed.csv:3"},
       {"x,z\n0,1\n10\n20,3\n", "mixed.csv:3"},   {"x,z\n0,1\n10,nan\n20,3\n", "mixed.csv:3"},
-      {"x,z\n0,1\n10,1e999\n", "mixed.csv:3"},   {"x;z\n0;1\n10;2,5\n20;1\n", "mixed.csv:3"}};
+      {"x,z\n0,1\n10,1e999\n", "mixed.csv:3"},   {"x;z\n0;1.5\n10;2,5\n20;1\n", "mixed.csv:3"}};
   for (const auto& [content, place] : files) {
     drop({folder.write("mixed.csv", content)}, [&](ImportDialog& dialog) {
       EXPECT_FALSE(can_import(dialog)) << content;
