@@ -123,7 +123,9 @@ class Situations : public testing::TestWithParam<Look> {
       EXPECT_EQ(hint->toolTip(), hint->text()) << situation;
     }
     for (QWidget* each : window.findChildren<QWidget*>()) {
-      if (!each->isVisible() || each->width() == 0) continue;
+      // Panels under tabs that are not raised wait beside the window.
+      const QRect place(each->mapTo(&window, QPoint()), each->size());
+      if (!each->isVisible() || !place.intersects(window.rect())) continue;
       QString words;
       if (const auto* label = qobject_cast<QLabel*>(each)) words = label->wordWrap() ? QString() : label->text();
       if (const auto* label = qobject_cast<QLabel*>(each); label != nullptr && label->wordWrap()) {
@@ -176,6 +178,16 @@ TEST_P(Situations, BesideTheInputWithFaults) {
   open("recon/", "listric.toml");
   act("look.both");
   take("03_both");
+}
+
+TEST_P(Situations, PanelsOfThePrograms) {
+  open("recon/", "listric.toml");
+  raise("dock.balance");
+  take("11_balance");
+  window_.reset();
+  open("quebra/", "edge_crack.toml");
+  raise("dock.cracks");
+  take("11_cracks");
 }
 
 TEST_P(Situations, AGhostOfTheInput) {
