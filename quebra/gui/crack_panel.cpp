@@ -14,6 +14,7 @@
 #include "quebra/analysis/analysis.h"
 #include "quebra/model/model.h"
 #include "shared/gui/canvas.h"
+#include "shared/gui/numbers/numbers.h"
 #include "shared/gui/session.h"
 #include "shared/gui/text.h"
 
@@ -24,6 +25,7 @@ namespace {
 namespace canvas = dobra::canvas;
 namespace fem = dobra::fem;
 namespace geom = dobra::geom;
+namespace numbers = dobra::gui::numbers;
 namespace scenario = dobra::scenario;
 namespace scene = dobra::scene;
 using dobra::gui::text;
@@ -42,8 +44,6 @@ const analysis::Analysis* analysed_tips(const model::Model& model) {
   const bool any = !model.analyses.empty() && !model.analyses.back()->tips.empty();
   return any ? model.analyses.back().get() : nullptr;
 }
-
-QString number(double value) { return QLocale().toString(value, 'g', 5); }
 
 /// From start to end, degrees anticlockwise from +x.
 double direction_of(const sketch::Curve& crack) {
@@ -120,7 +120,7 @@ void CrackPanel::show_rows() {
   rows_->setVisible(any);
   if (any) {
     const scenario::UnitSystem& units = model->units;
-    const QString k = QString("\n[%1]").arg(QString::fromStdString(units.unit("Pa sqrt(m)")));
+    const QString k = "\n[" + numbers::unit_text(units.unit("Pa sqrt(m)")) + "]";
     rows_->setHeaderLabels({text("Crack"), text("Length") + QString("\n[%1]").arg(units.length_unit().c_str()),
                             text("Direction") + QString::fromUtf8("\n[°]"), "K_I" + k, "K_II" + k});
     const analysis::Analysis* analysed = analysed_tips(*model);
@@ -132,9 +132,9 @@ void CrackPanel::show_rows() {
     for (std::size_t c = 0; c < model->domain.curves.size(); ++c) {
       const sketch::Curve& crack = model->domain.curves[c];
       if (crack.role != sketch::Role::Crack) continue;
-      auto* row =
-          new QTreeWidgetItem(rows_, {QString::fromStdString(crack.name),
-                                      number(units.from_si(sketch::length(crack), "m")), number(direction_of(crack))});
+      auto* row = new QTreeWidgetItem(
+          rows_, {QString::fromStdString(crack.name), numbers::readable(units.from_si(sketch::length(crack), "m")),
+                  numbers::readable(direction_of(crack))});
       row->setData(0, curve_role, static_cast<int>(c));
       for (const char* end : {"_start", "_end"}) {
         const auto found = tips.find(crack.name + end);
@@ -147,8 +147,8 @@ void CrackPanel::show_rows() {
           at->setToolTip(3, QString::fromStdString(tip.refused->message));
           continue;
         }
-        at->setText(3, number(units.from_si(tip.domain.k.one, "Pa sqrt(m)")));
-        at->setText(4, number(units.from_si(tip.domain.k.two, "Pa sqrt(m)")));
+        at->setText(3, numbers::readable(units.from_si(tip.domain.k.one, "Pa sqrt(m)")));
+        at->setText(4, numbers::readable(units.from_si(tip.domain.k.two, "Pa sqrt(m)")));
       }
     }
     rows_->expandAll();

@@ -11,6 +11,7 @@
 
 #include "recon/model/model.h"
 #include "shared/gui/canvas.h"
+#include "shared/gui/numbers/numbers.h"
 #include "shared/gui/session.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/icons.h"
@@ -20,18 +21,16 @@ namespace recon::gui {
 namespace {
 
 namespace canvas = dobra::canvas;
+namespace numbers = dobra::gui::numbers;
 namespace scenario = dobra::scenario;
 using dobra::gui::text;
 
 constexpr int name_role = Qt::UserRole;  ///< Of the row of a bed: what its lines are called.
 
-/// To six digits, without an exponent.
-QString number(double value) {
-  const int whole = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-  return QLocale().toString(value, 'f', std::clamp(6 - whole, 0, 6));
+QString percent(double value) {
+  const double shown = std::round(100.0 * value) / 100.0 + 0.0;  // no -0,00
+  return QString("%1 %").arg(QLocale().toString(shown, 'f', 2));
 }
-
-QString percent(double value) { return QString("%1 %").arg(QLocale().toString(value, 'f', 2)); }
 
 /// The last state of the session's run, if it is one of RECON's.
 const model::Model* last_model(const dobra::gui::Session& session) {
@@ -54,14 +53,13 @@ BalancePanel::BalancePanel(const dobra::gui::Desk& desk, QWidget* parent) : QWid
   rows_ = new QTreeWidget(this);
   rows_->setObjectName("balance.rows");
   rows_->setAccessibleName(text("Balance"));
-  rows_->setHeaderLabels({text("Bed or unit"), text("Changed by"), text("Before"), text("After")});
+  const QString units = QString::fromUtf8("\n[m, m²]");  // of beds and of units
+  rows_->setHeaderLabels({text("Name"), text("Changed by"), text("Before") + units, text("After") + units});
   rows_->setRootIsDecorated(false);
   rows_->setUniformRowHeights(true);
-  rows_->header()->setStretchLastSection(false);
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   rows_->header()->setMinimumSectionSize(rows_->fontMetrics().horizontalAdvance("-00.00 %"));
-  rows_->setTextElideMode(Qt::ElideMiddle);
-  rows_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  rows_->header()->setStretchLastSection(true);
   column->addWidget(states_);
   column->addWidget(verdict_);
   column->addWidget(rows_, 1);
@@ -123,24 +121,23 @@ void BalancePanel::show_rows() {
   verdict_->setText(model::judge(compared, tolerance).balanced
                         ? text("Balanced: no bed and no unit changed by more than %1 %.").arg(most)
                         : text("Not balanced: what changed by more than %1 % is marked.").arg(most));
-  add_rows(compared.beds, QT_TR_NOOP("Length of the bed"), "m", tolerance);
-  add_rows(compared.units, QT_TR_NOOP("Area of the unit"), "m²", tolerance);
+  add_rows(compared.beds, Row::Bed, tolerance);
+  add_rows(compared.units, Row::Unit, tolerance);
   following_ = false;
   follow_selection();
 }
 
-void BalancePanel::add_rows(const std::vector<model::Compared>& rows, const char* what, const char* unit,
-                            double tolerance) {
+void BalancePanel::add_rows(const std::vector<model::Compared>& rows, Row kind, double tolerance) {
+  const QString what = kind == Row::Bed ? text("Length of the bed") : text("Area of the unit");
   for (const model::Compared& row : rows) {
     const QString name = QString::fromStdString(row.name);
-    const QString size = QString::fromUtf8(" ") + unit;
     auto* item = new QTreeWidgetItem(
-        rows_, {name, percent(row.change_percent()), number(row.before) + size, number(row.after) + size});
+        rows_, {name, percent(row.change_percent()), numbers::readable(row.before), numbers::readable(row.after)});
     for (int column = 1; column < item->columnCount(); ++column)
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const bool judged = row.role == section::BedRole::Judged;
-    item->setToolTip(0, name + "\n" + (judged ? text(what) : text(what) + text(" (not judged)")));
-    if (unit == std::string("m")) item->setData(0, name_role, name);
+    item->setToolTip(0, name + "\n" + (judged ? what : what + text(" (not judged)")));
+    if (kind == Row::Bed) item->setData(0, name_role, name);
     if (!judged || !(std::abs(row.change_percent()) > tolerance)) continue;
     item->setIcon(0, dobra::gui::theme::icon(dobra::gui::theme::Symbol::Warning));
     item->setData(1, Qt::AccessibleDescriptionRole, text("beyond the tolerance"));

@@ -27,7 +27,8 @@ class BalancePanel : public QWidget {
   void fill();
   void show_states(std::size_t count);
   void show_rows();
-  void add_rows(const std::vector<model::Compared>& rows, const char* what, const char* unit, double tolerance);
+  enum class Row { Bed, Unit };
+  void add_rows(const std::vector<model::Compared>& rows, Row kind, double tolerance);
   /// The lines of the current row's bed.
   void select_lines();
   /// The row of what is selected on the canvas.

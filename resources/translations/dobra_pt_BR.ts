@@ -3472,10 +3472,6 @@
         <translation>Estados comparados</translation>
     </message>
     <message>
-        <source>Bed or unit</source>
-        <translation>Camada ou unidade</translation>
-    </message>
-    <message>
         <source>After</source>
         <translation>Depois</translation>
     </message>

@@ -110,7 +110,8 @@ QString unit_text(const std::string& unit) {
   static const QRegularExpression power("(?<=[a-zA-Z])([23])(?![\\w.])");
   for (QRegularExpressionMatch match = power.match(set); match.hasMatch(); match = power.match(set))
     set.replace(match.capturedStart(), 1, match.captured(1) == "2" ? QString::fromUtf8("²") : QString::fromUtf8("³"));
-  return set;
+  static const QRegularExpression root("sqrt\\((\\w+)\\)");
+  return set.replace(root, QString::fromUtf8("√\\1"));
 }
 
 QString field_text(Kind kind, const Value& value) {

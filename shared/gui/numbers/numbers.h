@@ -18,7 +18,7 @@ QString whole(double value);
 /// "2.1e11".
 QString readable(double value);
 
-/// A unit with its powers set: "m2" is "m²".
+/// A unit with its powers and roots set: "m2" is "m²", "Pa sqrt(m)" is "Pa √m".
 QString unit_text(const std::string& unit);
 
 /// How a field of this kind shows a value. Lists have no brackets where they read back without: "1,5; 2".

@@ -123,7 +123,7 @@ TEST_F(Numbers, UnitsHaveTheirPowersSet) {
   EXPECT_EQ(unit_text("N/m3"), "N/m\u00b3");
   EXPECT_EQ(unit_text("kg m2/s2"), "kg m\u00b2/s\u00b2");
   EXPECT_EQ(unit_text("Pa m^0.5"), "Pa m^0.5");
-  EXPECT_EQ(unit_text("Pa sqrt(m)"), "Pa sqrt(m)");
+  EXPECT_EQ(unit_text("Pa sqrt(m)"), "Pa \u221am");
   EXPECT_EQ(unit_text(""), "");
 }
 
