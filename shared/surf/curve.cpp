@@ -59,8 +59,8 @@ struct SplineShape : Curve::Shape {
 base::Result<std::vector<Homogeneous>> homogeneous(const std::vector<Point3>& points, std::vector<double> weights,
                                                    std::size_t wanted) {
   if (points.size() != wanted)
-    return Error{ErrorCode::InvalidOption, fmt::format("{} control points, but degree and knots ask for {}",
-                                                       points.size(), wanted)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{} control points, but degree and knots ask for {}", points.size(), wanted)};
   if (weights.empty()) weights.assign(wanted, 1.0);
   if (weights.size() != wanted)
     return Error{ErrorCode::InvalidOption, fmt::format("{} weights for {} control points", weights.size(), wanted)};
@@ -76,8 +76,19 @@ base::Result<std::vector<Homogeneous>> homogeneous(const std::vector<Point3>& po
   return made;
 }
 
+double extent(const std::vector<Homogeneous>& points) {
+  Point3 low = points.front().point(), high = low;
+  for (const Homogeneous& each : points) {
+    const Point3 p = each.point();
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return geom::distance(low, high);
+}
+
 base::Result<Curve> Curve::line(Point3 from, Point3 to) {
-  if (!geom::is_finite(from) || !geom::is_finite(to)) return Error{ErrorCode::NotFinite, "an end of the line is not finite"};
+  if (!geom::is_finite(from) || !geom::is_finite(to))
+    return Error{ErrorCode::NotFinite, "an end of the line is not finite"};
   if (from == to) return Error{ErrorCode::DegenerateCurve, "the ends of the line are the same point"};
   return Curve(std::make_shared<const LineShape>(from, to - from), {0.0, 1.0});
 }
@@ -93,8 +104,10 @@ base::Result<Curve> Curve::arc(Point3 centre, Vector3 along, Vector3 across, dou
       std::abs(geom::dot(along, across)) > square * radius * radius)
     return Error{ErrorCode::DegenerateCurve, "the axes of the arc are not of one length at a right angle"};
   if (!(to > from) || to - from > 2.0 * std::numbers::pi * (1.0 + 1e-12))
-    return Error{ErrorCode::DegenerateCurve, fmt::format("the arc goes from {} to {} radians; it must go on, and a full "
-                                                         "turn at most", from, to)};
+    return Error{ErrorCode::DegenerateCurve,
+                 fmt::format("the arc goes from {} to {} radians; it must go on, and a full "
+                             "turn at most",
+                             from, to)};
   return Curve(std::make_shared<const ArcShape>(centre, along, across), {from, to});
 }
 
@@ -102,6 +115,14 @@ base::Result<Curve> Curve::nurbs(std::size_t degree, std::vector<double> knots, 
                                  std::vector<double> weights) {
   DOBRA_TRY(SplineBasis basis, SplineBasis::make(degree, std::move(knots), "knots"));
   DOBRA_TRY(std::vector<Homogeneous> control, homogeneous(points, std::move(weights), basis.count()));
+  for (const std::size_t i : basis.jumps()) {
+    const double gap = geom::distance(control[i - 1].point(), control[i].point());
+    if (gap > 1e-12 * extent(control))
+      return Error{ErrorCode::DegenerateCurve,
+                   fmt::format("the curve is torn at {}, where knot {} stands {} times: control points {} and {} are "
+                               "{:.6g} m apart; give them one place",
+                               basis.knots()[i], i + 1, degree + 1, i, i + 1, gap)};
+  }
   std::vector<double> breaks = basis.breaks();
   return Curve(std::make_shared<const SplineShape>(std::move(basis), std::move(control)), std::move(breaks));
 }

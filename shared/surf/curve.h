@@ -23,10 +23,12 @@ class Curve {
   /// A part of a circle: centre + cos t * along + sin t * across, t in radians.
   /// @param along, across  of one length, the radius, at a right angle (to 1e-9 of it).
   /// @error NotFinite; DegenerateCurve: no radius, axes that are not so, an angle of zero or more than a full turn.
-  static base::Result<Curve> arc(geom::Point3 centre, geom::Vector3 along, geom::Vector3 across, double from, double to);
+  static base::Result<Curve> arc(geom::Point3 centre, geom::Vector3 along, geom::Vector3 across, double from,
+                                 double to);
   /// A rational B-spline; all weights 1 where none are given.
   /// @error those of SplineBasis::make; InvalidOption: not a point (or weight) for each function, a weight that is not
-  ///        positive; NotFinite. Each names the number from 1.
+  ///        positive; NotFinite. Each names the number from 1. DegenerateCurve: it is torn at a knot that stands
+  ///        degree + 1 times (points on both sides further apart than 1e-12 of the box of all), with the gap.
   static base::Result<Curve> nurbs(std::size_t degree, std::vector<double> knots, std::vector<geom::Point3> points,
                                    std::vector<double> weights = {});
   /// A Bezier curve, plain or rational, on 0 .. 1. @error as nurbs

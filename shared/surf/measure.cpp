@@ -21,6 +21,23 @@ std::optional<Vector3> normal(const Jet& jet) {
   return across / size;
 }
 
+std::optional<Vector3> normal(const Surface& surface, Point uv) {
+  const Jet jet = surface.jet(uv);
+  const Box& chart = surface.chart();
+  // A step into the chart turns Su (Sv) from nought by Suv: what Su x Sv comes to, but for its length.
+  const auto limit = [](Vector3 u, Vector3 v) -> std::optional<Vector3> {
+    const Vector3 across = cross(u, v);
+    const double size = geom::length(across);
+    if (!(size > 1e-14 * geom::length(u) * geom::length(v))) return std::nullopt;
+    return across / size;
+  };
+  if (uv.y == chart.low.y && surface.collapsed(Side::Bottom)) return limit(jet.uv, jet.v);
+  if (uv.y == chart.high.y && surface.collapsed(Side::Top)) return limit(-jet.uv, jet.v);
+  if (uv.x == chart.low.x && surface.collapsed(Side::Left)) return limit(jet.u, jet.uv);
+  if (uv.x == chart.high.x && surface.collapsed(Side::Right)) return limit(jet.u, -jet.uv);
+  return normal(jet);
+}
+
 std::optional<Curvature> curvature(const Jet& jet) {
   const std::optional<Vector3> n = normal(jet);
   if (!n) return std::nullopt;
@@ -56,11 +73,11 @@ double area_of_cell(const Surface& surface, const Box& cell) {
   std::array<Jet, 64> jets{};
   const Point middle = geom::midpoint(cell.low, cell.high);
   const double half_u = 0.5 * (cell.high.x - cell.low.x), half_v = 0.5 * (cell.high.y - cell.low.y);
-  for (std::size_t i = 0; i < 64; ++i)
-    uv[i] = {middle.x + half_u * rule.at[i / 8], middle.y + half_v * rule.at[i % 8]};
+  for (std::size_t i = 0; i < 64; ++i) uv[i] = {middle.x + half_u * rule.at[i / 8], middle.y + half_v * rule.at[i % 8]};
   surface.jets(uv, jets);
   double sum = 0.0;
-  for (std::size_t i = 0; i < 64; ++i) sum += rule.weight[i / 8] * rule.weight[i % 8] * metric(jets[i]).area();
+  for (std::size_t i = 0; i < 64; ++i)
+    sum += rule.weight[i / 8] * rule.weight[i % 8] * geom::length(cross(jets[i].u, jets[i].v));
   return sum * half_u * half_v;
 }
 
@@ -132,7 +149,10 @@ Measured area(const Surface& surface, const Box& part, double tolerance) {
 
 double length(const Surface& surface, Point from, Point to) {
   const geom::Vector way = to - from;
-  const auto speed = [&](double t) { return metric(surface.jet(geom::interpolate(from, to, t))).length(way); };
+  const auto speed = [&](double t) {
+    const Jet jet = surface.jet(geom::interpolate(from, to, t));
+    return geom::length(way.x * jet.u + way.y * jet.v);
+  };
   // Cut where the line passes a break.
   std::vector<double> cuts{0.0, 1.0};
   for (const double at : surface.breaks().u) {

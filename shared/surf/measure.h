@@ -21,6 +21,10 @@ inline Metric metric(const Jet& jet) { return {dot(jet.u, jet.u), dot(jet.u, jet
 /// The unit normal; nothing where Su and Sv are parallel, or one of them is nought beside the other (a pole).
 std::optional<geom::Vector3> normal(const Jet& jet);
 
+/// The same, and on a side that is one point (the pole of a sphere, the apex of a cone) what it comes to along the line
+/// of the chart that ends there.
+std::optional<geom::Vector3> normal(const Surface& surface, geom::Point uv);
+
 /// Curvatures, 1/m, positive where the surface bends to the side of its normal.
 struct Curvature {
   double least = 0.0, greatest = 0.0;
@@ -36,13 +40,17 @@ struct Measured {
   double error = 0.0;
 };
 
-/// Area of a part of the chart, m2. Gauss's rule with 8 x 8 points between the breaks; cells are quartered until the sum of
-/// their errors is within the tolerance, or 20 times.
-/// @param tolerance  part of the area.
+/// Area of a part of the chart, m2. Gauss's rule with 8 x 8 points between the breaks; cells are quartered until the
+/// sum of their errors is within the tolerance, or 20 times.
+/// @param tolerance  part of the area. Not a number where the surface has no value (a formula undefined between the
+/// places at which Surface::graph looked).
 Measured area(const Surface& surface, const geom::Box& part, double tolerance = 1e-10);
-inline Measured area(const Surface& surface, double tolerance = 1e-10) { return area(surface, surface.chart(), tolerance); }
+inline Measured area(const Surface& surface, double tolerance = 1e-10) {
+  return area(surface, surface.chart(), tolerance);
+}
 
-/// Length in space of the straight line of the chart between two of its points, m, to 1e-12 of itself where it is smooth.
+/// Length in space of the straight line of the chart between two of its points, m, to 1e-12 of itself where it is
+/// smooth.
 double length(const Surface& surface, geom::Point from, geom::Point to);
 
 }  // namespace dobra::surf

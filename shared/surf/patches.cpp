@@ -4,6 +4,8 @@
 #include <Eigen/SparseLU>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "shared/base/formula.h"
 #include "shared/surf/homogeneous.h"
@@ -62,6 +64,7 @@ struct PatchShape : Surface::Shape {
 struct GraphShape : Surface::Shape {
   base::Formula formula;
   Box chart;
+  double part = 2e-3;  ///< The step of the differences, part of the chart.
   GraphShape(base::Formula height, const Box& where) : formula(std::move(height)), chart(where) {}
 
   [[nodiscard]] double height(double x, double y) const { return formula.at(std::array{x, y}); }
@@ -102,22 +105,54 @@ struct GraphShape : Surface::Shape {
     return made;
   }
 
-  [[nodiscard]] Jet jet(Point uv) const {
+  /// The stencil whose places lie within the range, from which step on.
+  static std::pair<const Stencil&, int> stencil_at(double at, double low, double high, double h) {
     static const std::array<Stencil, 9> stencils = [] {
       std::array<Stencil, 9> made;
       for (int from = -8; from <= 0; ++from) made[static_cast<std::size_t>(from + 8)] = stencil(from);
       return made;
     }();
-    // Eighth order: the step is where rounding and the missing terms are equal for what bends within the chart.
-    constexpr double part = 2e-3;
+    int from = -4;
+    if (at - 4.0 * h < low) from = -static_cast<int>(std::floor((at - low) / h + 1e-9));
+    if (at + 4.0 * h > high) from = static_cast<int>(std::floor((high - at) / h + 1e-9)) - 8;
+    from = std::clamp(from, -8, 0);
+    return {stencils[static_cast<std::size_t>(from + 8)], from};
+  }
+
+  /// Second derivatives by a step, by the chart's width and height: (zxx, zyy).
+  [[nodiscard]] std::array<double, 2> bend(Point uv, double by) const {
+    const double hx = by * chart.width(), hy = by * chart.height();
+    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
+    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
+    double zxx = 0.0, zyy = 0.0;
+    for (int i = 0; i < 9; ++i) {
+      zxx += across.second[static_cast<std::size_t>(i)] * height(uv.x + (left + i) * hx, uv.y);
+      zyy += up.second[static_cast<std::size_t>(i)] * height(uv.x, uv.y + (below + i) * hy);
+    }
+    return {zxx / (by * by), zyy / (by * by)};
+  }
+  /// Takes the step whose second derivatives are nearest to those of half of it, over the chart: a long one leaves
+  /// terms out, a short one is all rounding.
+  void choose_step() {
+    constexpr int places = 13;
+    double least = std::numeric_limits<double>::infinity(), best = part;
+    for (double by = part; by > 2e-5; by *= 0.5) {
+      double apart = 0.0;
+      for (int i = 0; i < places * places; ++i) {
+        const Point at{geom::interpolate(chart.low, chart.high, (i / places + 0.37) / places).x,
+                       geom::interpolate(chart.low, chart.high, (i % places + 0.43) / places).y};
+        const std::array<double, 2> whole = bend(at, by), half = bend(at, 0.5 * by);
+        apart = std::max({apart, std::abs(whole[0] - half[0]), std::abs(whole[1] - half[1])});
+      }
+      if (apart < 0.7 * least) least = apart, best = by;
+    }
+    part = best;
+  }
+
+  [[nodiscard]] Jet jet(Point uv) const {
     const double hx = part * chart.width(), hy = part * chart.height();
-    const auto from = [](double at, double low, double high, double h) {
-      if (at - 4.0 * h < low) return -static_cast<int>(std::floor((at - low) / h + 1e-9));
-      if (at + 4.0 * h > high) return static_cast<int>(std::floor((high - at) / h + 1e-9)) - 8;
-      return -4;
-    };
-    const int left = from(uv.x, chart.low.x, chart.high.x, hx), below = from(uv.y, chart.low.y, chart.high.y, hy);
-    const Stencil &across = stencils[static_cast<std::size_t>(left + 8)], &up = stencils[static_cast<std::size_t>(below + 8)];
+    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
+    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
     double zx = 0.0, zxx = 0.0, zy = 0.0, zyy = 0.0, zxy = 0.0;
     for (std::size_t i = 0; i < 9; ++i) {
       const double z = height(uv.x + (left + static_cast<int>(i)) * hx, uv.y);
@@ -130,12 +165,8 @@ struct GraphShape : Surface::Shape {
         zxy += across.first[i] * up.first[j] *
                height(uv.x + (left + static_cast<int>(i)) * hx, uv.y + (below + static_cast<int>(j)) * hy);
     }
-    return {{uv.x, uv.y, height(uv.x, uv.y)},
-            {1.0, 0.0, zx / hx},
-            {0.0, 1.0, zy / hy},
-            {0.0, 0.0, zxx / (hx * hx)},
-            {0.0, 0.0, zxy / (hx * hy)},
-            {0.0, 0.0, zyy / (hy * hy)}};
+    return {{uv.x, uv.y, height(uv.x, uv.y)}, {1.0, 0.0, zx / hx},         {0.0, 1.0, zy / hy},
+            {0.0, 0.0, zxx / (hx * hx)},      {0.0, 0.0, zxy / (hx * hy)}, {0.0, 0.0, zyy / (hy * hy)}};
   }
 };
 
@@ -152,18 +183,20 @@ base::Result<std::vector<double>> parameters(std::size_t count, std::size_t rows
     ++counted;
     for (std::size_t i = 0; i < count; ++i) mean[i] += chord[i] / chord.back();
   }
-  if (counted == 0) return Error{ErrorCode::DegenerateCurve, fmt::format("all {}s of the grid are one point each", called)};
+  if (counted == 0)
+    return Error{ErrorCode::DegenerateCurve, fmt::format("all {}s of the grid are one point each", called)};
   for (double& each : mean) each /= static_cast<double>(counted);
   mean.back() = 1.0;
   for (std::size_t i = 1; i < count; ++i) {
     if (!(mean[i] > mean[i - 1] + 1e-12))
-      return Error{ErrorCode::DegenerateCurve, fmt::format("points {} and {} are the same in every {} of the grid", i,
-                                                           i + 1, called)};
+      return Error{ErrorCode::DegenerateCurve,
+                   fmt::format("points {} and {} are the same in every {} of the grid", i, i + 1, called)};
   }
   return mean;
 }
 
-base::Result<SplineBasis> averaged_knots(const std::vector<double>& parameters, std::size_t degree, const char* called) {
+base::Result<SplineBasis> averaged_knots(const std::vector<double>& parameters, std::size_t degree,
+                                         const char* called) {
   std::vector<double> knots(degree + 1, 0.0);
   for (std::size_t j = 1; j + degree < parameters.size(); ++j) {
     double sum = 0.0;
@@ -175,7 +208,8 @@ base::Result<SplineBasis> averaged_knots(const std::vector<double>& parameters, 
 }
 
 /// The functions of a basis at each parameter, as the matrix that control values are multiplied by.
-void factorise(const SplineBasis& basis, const std::vector<double>& at, Eigen::SparseLU<Eigen::SparseMatrix<double>>& solver) {
+void factorise(const SplineBasis& basis, const std::vector<double>& at,
+               Eigen::SparseLU<Eigen::SparseMatrix<double>>& solver) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const SplineBasis::Values values = basis.at(at[i]);
@@ -198,6 +232,23 @@ base::Result<Surface> Surface::nurbs(std::size_t degree_u, std::vector<double> k
   DOBRA_TRY(SplineBasis u, SplineBasis::make(degree_u, std::move(knots_u), "knots_u"));
   DOBRA_TRY(SplineBasis v, SplineBasis::make(degree_v, std::move(knots_v), "knots_v"));
   DOBRA_TRY(std::vector<Homogeneous> control, homogeneous(points, std::move(weights), u.count() * v.count()));
+  const double same = 1e-12 * extent(control);
+  const auto torn = [&](const SplineBasis& basis, std::size_t at, std::size_t rows, std::size_t step,
+                        std::size_t row_step) -> base::Result<void> {
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::size_t after = at * step + row * row_step, before = after - step;
+      const double gap = geom::distance(control[before].point(), control[after].point());
+      if (gap > same)
+        return Error{
+            ErrorCode::DegenerateCurve,
+            fmt::format("the patch is torn at {} = {}, a knot that stands {} times: control points {} and {} are "
+                        "{:.6g} m apart; give them one place",
+                        step == 1 ? "v" : "u", basis.knots()[at], basis.degree() + 1, before + 1, after + 1, gap)};
+    }
+    return {};
+  };
+  for (const std::size_t i : u.jumps()) DOBRA_TRY_VOID(torn(u, i, v.count(), v.count(), 1));
+  for (const std::size_t j : v.jumps()) DOBRA_TRY_VOID(torn(v, j, u.count(), 1, v.count()));
   const Box chart{{u.low(), v.low()}, {u.high(), v.high()}};
   Breaks breaks{u.breaks(), v.breaks()};
   return make(std::make_shared<const PatchShape>(std::move(u), std::move(v), std::move(control)), chart,
@@ -207,9 +258,11 @@ base::Result<Surface> Surface::nurbs(std::size_t degree_u, std::vector<double> k
 base::Result<Surface> Surface::through(const std::vector<Point3>& points, std::size_t count_u, std::size_t count_v,
                                        std::size_t degree) {
   if (count_u < 2 || count_v < 2)
-    return Error{ErrorCode::InvalidOption, fmt::format("a grid of {} x {} points; two by two are the least", count_u, count_v)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("a grid of {} x {} points; two by two are the least", count_u, count_v)};
   if (points.size() != count_u * count_v)
-    return Error{ErrorCode::InvalidOption, fmt::format("{} points for a grid of {} x {}", points.size(), count_u, count_v)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{} points for a grid of {} x {}", points.size(), count_u, count_v)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!geom::is_finite(points[i]))
       return Error{ErrorCode::NotFinite, fmt::format("point {} of the grid is not finite", i + 1)};
@@ -256,7 +309,7 @@ base::Result<Surface> Surface::through(const std::vector<Point3>& points, std::s
 base::Result<Surface> Surface::graph(const std::string& formula, const Box& chart) {
   const std::array<std::string, 2> names{"x", "y"};
   DOBRA_TRY(base::Formula height, base::Formula::make(formula, names));
-  auto shape = std::make_shared<const GraphShape>(std::move(height), chart);
+  const auto shape = std::make_shared<GraphShape>(std::move(height), chart);
   constexpr int parts = 32;
   for (int i = 0; i <= parts; ++i) {
     for (int j = 0; j <= parts; ++j) {
@@ -268,7 +321,8 @@ base::Result<Surface> Surface::graph(const std::string& formula, const Box& char
                      base::Place{.item = "graph", .x = at.x, .y = at.y}};
     }
   }
-  return make(std::move(shape), chart);
+  if (geom::is_finite(chart.low) && geom::is_finite(chart.high)) shape->choose_step();
+  return make(shape, chart);
 }
 
 }  // namespace dobra::surf

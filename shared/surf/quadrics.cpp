@@ -60,7 +60,8 @@ std::shared_ptr<const Surface::Shape> turned(const Frame& frame, ProfileAt profi
 }
 
 bool is_finite(const Frame& frame) {
-  return geom::is_finite(frame.origin) && geom::is_finite(frame.x) && geom::is_finite(frame.y) && geom::is_finite(frame.z);
+  return geom::is_finite(frame.origin) && geom::is_finite(frame.x) && geom::is_finite(frame.y) &&
+         geom::is_finite(frame.z);
 }
 
 /// @error NotFinite; InvalidOption: axes that are not of unit length at right angles
@@ -77,14 +78,15 @@ base::Result<void> check(const Frame& frame) {
 
 base::Result<void> check_turn(const Box& chart) {
   if (chart.high.x - chart.low.x > 2.0 * pi * (1.0 + 1e-12))
-    return Error{ErrorCode::InvalidOption, fmt::format("u goes from {} to {} radians; a full turn is the most",
-                                                       chart.low.x, chart.high.x)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("u goes from {} to {} radians; a full turn is the most", chart.low.x, chart.high.x)};
   return {};
 }
 
 base::Result<void> check_radius(double radius, const char* called) {
   if (!std::isfinite(radius)) return Error{ErrorCode::NotFinite, fmt::format("{} is not finite", called)};
-  if (!(radius > 0.0)) return Error{ErrorCode::DegenerateCurve, fmt::format("{} is {}; it must be above 0", called, radius)};
+  if (!(radius > 0.0))
+    return Error{ErrorCode::DegenerateCurve, fmt::format("{} is {}; it must be above 0", called, radius)};
   return {};
 }
 
@@ -113,14 +115,17 @@ base::Result<Surface> Surface::cone(const Frame& frame, double radius, double ha
   if (!std::isfinite(radius) || !std::isfinite(half_angle))
     return Error{ErrorCode::NotFinite, "radius or angle of the cone is not finite"};
   if (!(std::abs(half_angle) > 1e-12 && std::abs(half_angle) < 0.5 * pi - 1e-12))
-    return Error{ErrorCode::InvalidOption, fmt::format("the half angle of the cone is {} radians; it must be less than a "
-                                                       "quarter turn, and not 0", half_angle)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("the half angle of the cone is {} radians; it must be less than a "
+                             "quarter turn, and not 0",
+                             half_angle)};
   const double s = std::sin(half_angle), c = std::cos(half_angle), apex = -radius / s;
   Box chart = wanted;
   chart.low.y = snapped(chart.low.y, apex);
   chart.high.y = snapped(chart.high.y, apex);
   if (chart.low.y < apex && apex < chart.high.y)
-    return Error{ErrorCode::InvalidOption, fmt::format("the apex of the cone (v = {}) is inside; cut the cone there", apex)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("the apex of the cone (v = {}) is inside; cut the cone there", apex)};
   return make(turned(frame, [=](double v) { return Profile{(v - apex) * s, s, 0.0, v * c, c, 0.0}; }), chart);
 }
 
@@ -147,8 +152,10 @@ base::Result<Surface> Surface::torus(const Frame& frame, double major, double mi
   DOBRA_TRY_VOID(check_radius(major, "the major radius of the torus"));
   DOBRA_TRY_VOID(check_turn(chart));
   if (minor > major)
-    return Error{ErrorCode::InvalidOption, fmt::format("the minor radius of the torus ({}) is above the major one ({}): "
-                                                       "it would cross itself", minor, major)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("the minor radius of the torus ({}) is above the major one ({}): "
+                             "it would cross itself",
+                             minor, major)};
   if (chart.high.y - chart.low.y > 2.0 * pi * (1.0 + 1e-12))
     return Error{ErrorCode::InvalidOption, "v of the torus goes round more than once"};
   return make(turned(frame,

@@ -12,27 +12,28 @@ using base::ErrorCode;
 
 base::Result<SplineBasis> SplineBasis::make(std::size_t degree, std::vector<double> knots, const std::string& called) {
   if (degree < 1 || degree > highest_degree)
-    return Error{ErrorCode::InvalidOption, fmt::format("{}: degree {} is not between 1 and {}", called, degree,
-                                                       highest_degree)};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{}: degree {} is not between 1 and {}", called, degree, highest_degree)};
   if (knots.size() < 2 * (degree + 1))
     return Error{ErrorCode::InvalidOption, fmt::format("{}: {} knots, but degree {} needs {} at least", called,
                                                        knots.size(), degree, 2 * (degree + 1))};
   std::size_t equal = 1;
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (!std::isfinite(knots[i])) return Error{ErrorCode::NotFinite, fmt::format("{}: knot {} is not finite", called, i + 1)};
+    if (!std::isfinite(knots[i]))
+      return Error{ErrorCode::NotFinite, fmt::format("{}: knot {} is not finite", called, i + 1)};
     if (i == 0) continue;
     if (knots[i] < knots[i - 1])
       return Error{ErrorCode::InvalidOption, fmt::format("{}: knot {} ({}) is below the one before it ({})", called,
                                                          i + 1, knots[i], knots[i - 1])};
     equal = knots[i] == knots[i - 1] ? equal + 1 : 1;
     if (equal > degree + 1)
-      return Error{ErrorCode::InvalidOption, fmt::format("{}: knot {} ({}) stands more than {} times", called, i + 1,
-                                                         knots[i], degree + 1)};
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("{}: knot {} ({}) stands more than {} times", called, i + 1, knots[i], degree + 1)};
   }
   SplineBasis basis(degree, std::move(knots));
   if (!(basis.low() < basis.high()))
-    return Error{ErrorCode::InvalidOption, fmt::format("{}: the range from {} to {} is empty", called, basis.low(),
-                                                       basis.high())};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{}: the range from {} to {} is empty", called, basis.low(), basis.high())};
   return basis;
 }
 
@@ -41,6 +42,14 @@ std::vector<double> SplineBasis::breaks() const {
                              knots_.begin() + static_cast<std::ptrdiff_t>(count()) + 1);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
+}
+
+std::vector<std::size_t> SplineBasis::jumps() const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = degree_ + 1; i < count(); ++i) {
+    if (knots_[i] == knots_[i + degree_] && knots_[i] > low() && knots_[i] < high()) found.push_back(i);
+  }
+  return found;
 }
 
 SplineBasis::Values SplineBasis::at(double t) const {
@@ -55,8 +64,8 @@ SplineBasis::Values SplineBasis::at(double t) const {
   while (knots_[span] == knots_[span + 1]) ++span;
 
   // The triangle of functions of rising degree; below the diagonal the knot differences.
-  std::array<std::array<double, highest_degree + 1>, highest_degree + 1> table{};
-  std::array<double, highest_degree + 1> left{}, right{};
+  std::array<std::array<double, highest_degree + 1>, highest_degree + 1> table;  // what is read is written before
+  std::array<double, highest_degree + 1> left, right;
   table[0][0] = 1.0;
   for (std::size_t j = 1; j <= p; ++j) {
     left[j] = t - knots_[span + 1 - j];

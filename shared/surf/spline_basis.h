@@ -31,12 +31,16 @@ class SplineBasis {
   /// The knots inside the range, each once, with both ends: between two of them all derivatives are continuous.
   [[nodiscard]] std::vector<double> breaks() const;
 
+  /// Where a knot inside stands degree + 1 times a spline may jump, from the control value i - 1 to i: these i.
+  [[nodiscard]] std::vector<std::size_t> jumps() const;
+
   /// The functions that are not zero at a parameter, from number `first` on, with two derivatives.
   struct Values {
     std::size_t first = 0;
     std::array<std::array<double, highest_degree + 1>, 3> of{};  ///< [derivative][function - first]
   };
-  /// From the right at a knot inside, from the left at the last. Beyond the range the end pieces go on.
+  /// From the right at a knot inside (from the left: of the double before it), from the left at the last. Beyond the
+  /// range the end pieces go on.
   /// @cost O(degree^2 + log knots)
   [[nodiscard]] Values at(double t) const;
 

@@ -25,8 +25,9 @@ base::Result<Surface> Surface::make(std::shared_ptr<const Shape> shape, const Bo
   if (!geom::is_finite(chart.low) || !geom::is_finite(chart.high))
     return base::Error{base::ErrorCode::NotFinite, "the chart of the surface is not finite"};
   if (!(chart.low.x < chart.high.x && chart.low.y < chart.high.y))
-    return base::Error{base::ErrorCode::InvalidOption, "the chart of the surface is empty; give each range a beginning "
-                                                       "below its end"};
+    return base::Error{base::ErrorCode::InvalidOption,
+                       "the chart of the surface is empty; give each range a beginning "
+                       "below its end"};
   cut_to(inside.u, chart.low.x, chart.high.x);
   cut_to(inside.v, chart.low.y, chart.high.y);
   return Surface(std::move(shape), chart, std::move(inside));

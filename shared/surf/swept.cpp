@@ -89,7 +89,7 @@ struct RevolvedShape : Surface::Shape {
       };
       const auto moving = [&](Vector3 a) { return c * cross(axis, a) - s * (a - along(a)); };  // by the angle
       const Vector3 from_axis = p.at - on_axis;
-      jets[i] = {on_axis + turned(from_axis),       moving(from_axis), turned(p.first),
+      jets[i] = {on_axis + turned(from_axis),          moving(from_axis), turned(p.first),
                  along(from_axis) - turned(from_axis), moving(p.first),   turned(p.second)};
     }
   }
@@ -99,7 +99,13 @@ struct CoonsShape : Surface::Shape {
   Scaled bottom, top, left, right;
   Point3 p00, p10, p01, p11;
   CoonsShape(const Curve& b, const Curve& t, const Curve& l, const Curve& r)
-      : bottom{b}, top{t}, left{l}, right{r}, p00(bottom.jet(0).at), p10(bottom.jet(1).at), p01(top.jet(0).at),
+      : bottom{b},
+        top{t},
+        left{l},
+        right{r},
+        p00(bottom.jet(0).at),
+        p10(bottom.jet(1).at),
+        p01(top.jet(0).at),
         p11(top.jet(1).at) {}
   void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
     const Vector3 twist = (p11 - p10) - (p01 - p00);
@@ -138,7 +144,8 @@ base::Result<Surface> Surface::revolved(const Curve& profile, Point3 on_axis, Ve
   if (axis == Vector3{}) return Error{ErrorCode::DegenerateCurve, "the axis of the revolution has no direction"};
   if (to - from > 2.0 * std::numbers::pi * (1.0 + 1e-12))
     return Error{ErrorCode::InvalidOption, fmt::format("the revolution goes from {} to {} radians; a full turn is the "
-                                                       "most", from, to)};
+                                                       "most",
+                                                       from, to)};
   return make(std::make_shared<const RevolvedShape>(profile, on_axis, geom::normalised(axis)),
               {{from, profile.low()}, {to, profile.high()}}, {{}, profile.breaks()});
 }
@@ -157,7 +164,8 @@ base::Result<Surface> Surface::coons(const Curve& bottom, const Curve& top, cons
     if (geom::distance(a, b) > 1e-9 * size)
       return Error{ErrorCode::DegenerateCurve,
                    fmt::format("the borders of the Coons patch leave a gap of {:.6g} m where {}: at ({:.6g}, {:.6g}, "
-                               "{:.6g})", geom::distance(a, b), where, a.x, a.y, a.z)};
+                               "{:.6g})",
+                               geom::distance(a, b), where, a.x, a.y, a.z)};
   }
   Breaks breaks{merged(shape->bottom.breaks(), shape->top.breaks()),
                 merged(shape->left.breaks(), shape->right.breaks())};

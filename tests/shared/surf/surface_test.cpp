@@ -33,8 +33,7 @@ Curve cubic(double z1, double z2, bool along_x, double at) {
 }
 /// Figure 6 of the mesher's paper, as requirements C.5 stand in for it.
 Surface coons_of_figure_6() {
-  return *Surface::coons(cubic(4, 4, true, 0), cubic(-3, 5, true, 10), cubic(3, -3, false, 0),
-                         cubic(-2, 4, false, 10));
+  return *Surface::coons(cubic(4, 4, true, 0), cubic(-3, 5, true, 10), cubic(3, -3, false, 0), cubic(-2, 4, false, 10));
 }
 
 /// A quarter circle as a rational curve of degree 2, in the plane of x and z.
@@ -73,7 +72,8 @@ std::vector<Named> all_kinds() {
       {"revolved", *Surface::revolved(cubic(2, -1, true, 3.0), {0, 0, -5}, {1, 0.2, 0}, 0.3, 4.0)},
       {"coons", coons_of_figure_6()},
       {"graph", *Surface::graph("4 * exp(-(x^2 + y^2) / 8) + sin(x) * y / 5", {{-4, -4}, {4, 5}})},
-      {"nurbs", *Surface::nurbs(3, {0, 0, 0, 0, 1, 1.5, 2.5, 4, 4, 4, 4}, 2, {0, 0, 0, 1, 1, 2, 3, 3, 3}, wild, weights)},
+      {"nurbs",
+       *Surface::nurbs(3, {0, 0, 0, 0, 1, 1.5, 2.5, 4, 4, 4, 4}, 2, {0, 0, 0, 1, 1, 2, 3, 3, 3}, wild, weights)},
       {"through", *Surface::through(grid, 9, 12)},
   };
 }
@@ -169,12 +169,12 @@ TEST(Surface, CurvaturesOfQuadricsAreExact) {
 TEST(Surface, RationalPatchesAreQuadricsExactly) {
   const double w = std::sqrt(0.5);
   // An octant of the sphere of radius 3, its pole a side.
-  std::vector<Point3> net{{3, 0, 0}, {3, 0, 3}, {0, 0, 3}, {3, 3, 0}, {3, 3, 3}, {0, 0, 3}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}};
+  std::vector<Point3> net{{3, 0, 0}, {3, 0, 3}, {0, 0, 3}, {3, 3, 0}, {3, 3, 3},
+                          {0, 0, 3}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}};
   const Surface octant =
       *Surface::nurbs(2, {0, 0, 0, 1, 1, 1}, 2, {0, 0, 0, 1, 1, 1}, net, {1, w, 1, w, 0.5, w, 1, w, 1});
   for (double u = 0.0; u <= 1.0; u += 1.0 / 16.0) {
-    for (double v = 0.0; v <= 1.0; v += 1.0 / 16.0)
-      EXPECT_NEAR(geom::length(octant.at({u, v}) - Point3{}), 3.0, 1e-14);
+    for (double v = 0.0; v <= 1.0; v += 1.0 / 16.0) EXPECT_NEAR(geom::length(octant.at({u, v}) - Point3{}), 3.0, 1e-14);
   }
   EXPECT_TRUE(octant.collapsed(Side::Top));
   EXPECT_FALSE(octant.collapsed(Side::Bottom) || octant.collapsed(Side::Left) || octant.collapsed(Side::Right));
@@ -208,8 +208,9 @@ TEST(Surface, PolesAndSeamsAreKnown) {
 TEST(Surface, OtherKnotsForTheSameSurfaceChangeNothing) {
   // The parabola z = u^2 in degree 2 and raised to degree 3 with a knot put in.
   const Curve low = *Curve::bezier({{0, 0, 0}, {0.5, 0, 0}, {1, 0, 1}});
-  const Curve high = *Curve::nurbs(3, {0, 0, 0, 0, 0.5, 1, 1, 1, 1},
-                                   {{0, 0, 0}, {1.0 / 6.0, 0, 0}, {0.5, 0, 1.0 / 6.0}, {5.0 / 6.0, 0, 2.0 / 3.0}, {1, 0, 1}});
+  const Curve high =
+      *Curve::nurbs(3, {0, 0, 0, 0, 0.5, 1, 1, 1, 1},
+                    {{0, 0, 0}, {1.0 / 6.0, 0, 0}, {0.5, 0, 1.0 / 6.0}, {5.0 / 6.0, 0, 2.0 / 3.0}, {1, 0, 1}});
   for (double t = 0.0; t <= 1.0; t += 1.0 / 32.0) EXPECT_LE(geom::distance(low.at(t), high.at(t)), 1e-15) << t;
   EXPECT_NEAR(low.length(0, 1), (2.0 * std::sqrt(5.0) + std::asinh(2.0)) / 4.0, 1e-13);
   EXPECT_NEAR(high.length(0, 1), low.length(0, 1), 1e-13);
@@ -220,7 +221,8 @@ TEST(Surface, ThroughAGridPassesEveryPoint) {
   std::mt19937 random(4);
   for (int i = 0; i < 20; ++i) {
     for (int j = 0; j < 31; ++j)
-      grid.push_back({i + static_cast<double>(random() % 100) / 500.0, 3.0 * j, static_cast<double>(random() % 100) / 20.0});
+      grid.push_back(
+          {i + static_cast<double>(random() % 100) / 500.0, 3.0 * j, static_cast<double>(random() % 100) / 20.0});
   }
   const Surface surface = *Surface::through(grid, 20, 31);
   // Points of the grid are met by the closest of a fine walk of the chart, refined by Newton's rule.
@@ -248,8 +250,8 @@ TEST(Surface, ThroughAGridPassesEveryPoint) {
 TEST(Surface, LengthsOfTheChart) {
   const Surface pipe = *Surface::cylinder(tilted(), 3.0, {{0, 0}, {2, 8}});
   EXPECT_NEAR(length(pipe, {0, 0}, {2, 8}), 10.0, 1e-11);  // a helix: 6 round, 8 along
-  const Surface kinked = *Surface::extruded(
-      *Curve::nurbs(1, {0, 0, 1, 2, 2}, {{0, 0, 0}, {3, 0, 4}, {3, 0, 10}}), {0, 1, 0});
+  const Surface kinked =
+      *Surface::extruded(*Curve::nurbs(1, {0, 0, 1, 2, 2}, {{0, 0, 0}, {3, 0, 4}, {3, 0, 10}}), {0, 1, 0});
   EXPECT_NEAR(length(kinked, {0, 0.5}, {2, 0.5}), 11.0, 1e-13);
   EXPECT_NEAR(area(kinked).value, 11.0, 1e-12);
 }
