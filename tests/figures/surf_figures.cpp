@@ -14,7 +14,9 @@ using geom::Point;
 using geom::Point3;
 
 /// Isometric, seen from the side to which all three axes point.
-Point seen(Point3 p) { return {(p.y - p.x) * std::sqrt(0.5), p.z * std::sqrt(2.0 / 3.0) - (p.x + p.y) * std::sqrt(1.0 / 6.0)}; }
+Point seen(Point3 p) {
+  return {(p.y - p.x) * std::sqrt(0.5), p.z * std::sqrt(2.0 / 3.0) - (p.x + p.y) * std::sqrt(1.0 / 6.0)};
+}
 
 /// The chart in cells, coloured by Gaussian curvature, what is farther from the eye first.
 scene::Panel curvature_panel(std::string title, const surf::Surface& surface, int across, int up) {
@@ -48,7 +50,8 @@ scene::Panel curvature_panel(std::string title, const surf::Surface& surface, in
       }
     }
   }
-  std::stable_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) { return a.depth < b.depth; });
+  std::stable_sort(triangles.begin(), triangles.end(),
+                   [](const Triangle& a, const Triangle& b) { return a.depth < b.depth; });
   std::vector<std::array<std::uint32_t, 3>> corners;
   std::vector<double> values;
   double most = 0.0;
@@ -81,8 +84,8 @@ base::Result<scene::Picture> surfaces() {
   constexpr double pi = std::numbers::pi;
   DOBRA_TRY(const surf::Surface torus, surf::Surface::torus({}, 6.0, 2.0, {{0.5 * pi, -pi}, {2.0 * pi, pi}}));
   scene::Picture picture;
-  picture.panels.push_back(curvature_panel("Coons patch of four cubic Bezier curves", coons, 40, 40));
-  picture.panels.push_back(curvature_panel("torus, three quarters of a turn", torus, 60, 32));
+  picture.panels.push_back(curvature_panel("Coons patch of four cubic Bezier curves", coons, 24, 24));
+  picture.panels.push_back(curvature_panel("torus, three quarters of a turn", torus, 42, 20));
   return picture;
 }
 

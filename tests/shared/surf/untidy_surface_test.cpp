@@ -27,7 +27,8 @@ long double function_of(const std::vector<double>& knots, std::size_t i, std::si
   if (degree == 0) return knots[i] <= t && t < knots[i + 1] ? 1.0L : 0.0L;
   long double sum = 0.0L;
   if (knots[i + degree] > knots[i])
-    sum += (t - knots[i]) / (static_cast<long double>(knots[i + degree]) - knots[i]) * function_of(knots, i, degree - 1, t);
+    sum += (t - knots[i]) / (static_cast<long double>(knots[i + degree]) - knots[i]) *
+           function_of(knots, i, degree - 1, t);
   if (knots[i + degree + 1] > knots[i + 1])
     sum += (knots[i + degree + 1] - t) / (static_cast<long double>(knots[i + degree + 1]) - knots[i + 1]) *
            function_of(knots, i + 1, degree - 1, t);
@@ -52,7 +53,9 @@ TEST(SplineBasis, IsItsDefinitionWithItsDerivativesOnAnyKnots) {
       const long double a = breaks[piece - 1], b = breaks[piece], t = a + 0.4L * (b - a), h = 0.1L * (b - a);
       const SplineBasis::Values values = basis->at(static_cast<double>(t));
       for (std::size_t j = 0; j <= degree; ++j) {
-        const auto f = [&](int k) { return function_of(knots, values.first + j, degree, static_cast<long double>(static_cast<double>(t)) + k * h); };
+        const auto f = [&](int k) {
+          return function_of(knots, values.first + j, degree, static_cast<long double>(static_cast<double>(t)) + k * h);
+        };
         // Differences of five and more places are exact for these degrees.
         const long double first = (8.0L * (f(1) - f(-1)) - (f(2) - f(-2))) / 12.0L;
         const long double second = (-f(-2) + 16.0L * f(-1) - 30.0L * f(0) + 16.0L * f(1) - f(2)) / 12.0L;
@@ -92,7 +95,8 @@ TEST(Untidy, WeightsNearNoughtAreTheSameCircle) {
 TEST(Untidy, StretchedAndSkewedChartsAreTheSameSurface) {
   const auto sphere_part = [](double stretch_u, double stretch_v) {
     const double w = std::sqrt(0.5);
-    const std::vector<Point3> net{{3, 0, 0}, {3, 0, 3}, {0, 0, 3}, {3, 3, 0}, {3, 3, 3}, {0, 0, 3}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}};
+    const std::vector<Point3> net{{3, 0, 0}, {3, 0, 3}, {0, 0, 3}, {3, 3, 0}, {3, 3, 3},
+                                  {0, 0, 3}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}};
     const double u = stretch_u, v = stretch_v;
     return *Surface::nurbs(2, {0, 0, 0, u, u, u}, 2, {0, 0, 0, v, v, v}, net, {1, w, 1, w, 0.5, w, 1, w, 1});
   };
@@ -138,8 +142,8 @@ TEST(Untidy, PolesAndApexHaveFiniteJetsAndALimitOfTheNormal) {
     EXPECT_LE(geom::length(*normal(other, {u, 0.0}) - *normal(other, {u, -1.0})), 1e-14);
   }
   // An octant whose pole is a side of control points.
-  const Surface turned = *Surface::revolved(*Curve::bezier({{2, 0, 0}, {2, 0, 2}, {0, 0, 2}}, {1, std::sqrt(0.5), 1}), {},
-                                            {0, 0, 1}, 0.0, 1.0);
+  const Surface turned = *Surface::revolved(*Curve::bezier({{2, 0, 0}, {2, 0, 2}, {0, 0, 2}}, {1, std::sqrt(0.5), 1}),
+                                            {}, {0, 0, 1}, 0.0, 1.0);
   EXPECT_TRUE(turned.collapsed(Side::Top));
   EXPECT_NEAR(normal(turned, {0.3, 1.0})->z, 1.0, 1e-14);
 }
@@ -149,8 +153,11 @@ TEST(Untidy, AKnotTooOftenIsATearUnlessBothSidesMeet) {
   const std::vector<Point3> joined{{0, 0, 0}, {1, 0, 2}, {2, 0, 0}, {2, 0, 0}, {3, 0, -2}, {4, 0, 0}};
   std::vector<Point3> torn = joined;
   torn[3].z = 0.25;
-  const auto has = [](const std::string& text, const char* words) { EXPECT_NE(text.find(words), std::string::npos) << text; };
-  has(message_of(Curve::nurbs(2, knots, torn)), "torn at 1, where knot 4 stands 3 times: control points 3 and 4 are 0.25 m apart");
+  const auto has = [](const std::string& text, const char* words) {
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  };
+  has(message_of(Curve::nurbs(2, knots, torn)),
+      "torn at 1, where knot 4 stands 3 times: control points 3 and 4 are 0.25 m apart");
   ASSERT_TRUE(Curve::nurbs(2, knots, joined).ok());
   const auto patch = [&](const std::vector<Point3>& row, bool along_u) {
     std::vector<Point3> net;
@@ -167,7 +174,8 @@ TEST(Untidy, AKnotTooOftenIsATearUnlessBothSidesMeet) {
 }
 
 TEST(Untidy, BothSidesOfACornerAreSeen) {
-  const Curve bent = *Curve::nurbs(2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {1, 0, 0.5}, {1, 0, 1}});
+  const Curve bent =
+      *Curve::nurbs(2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {1, 0, 0.5}, {1, 0, 1}});
   const Surface strip = *Surface::extruded(bent, {0, 2, 0});
   EXPECT_EQ(strip.breaks().u, (std::vector<double>{0, 1, 2}));
   const Vector3 left = *normal(strip.jet({std::nextafter(1.0, 0.0), 0.5})), right = *normal(strip.jet({1.0, 0.5}));
@@ -207,10 +215,12 @@ TEST(Untidy, GraphsThatWaveOftenHaveTheirDerivatives) {
     double first = 0.0, second = 0.0;
     for (int i = 0; i < 400; ++i) {
       const Point at{10.0 * std::fmod(0.618034 * i, 1.0), 10.0 * (i + 0.5) / 400.0};
-      const double sx = std::sin(rounded * at.x), cx = std::cos(rounded * at.x), sy = std::sin(rounded * at.y), cy = std::cos(rounded * at.y);
+      const double sx = std::sin(rounded * at.x), cx = std::cos(rounded * at.x), sy = std::sin(rounded * at.y),
+                   cy = std::cos(rounded * at.y);
       const Jet jet = graph.jet(at);
       first = std::max({first, std::abs(jet.u.z - rounded * cx * cy), std::abs(jet.v.z + rounded * sx * sy)});
-      second = std::max({second, std::abs(jet.uu.z + rounded * rounded * sx * cy), std::abs(jet.vv.z + rounded * rounded * sx * cy),
+      second = std::max({second, std::abs(jet.uu.z + rounded * rounded * sx * cy),
+                         std::abs(jet.vv.z + rounded * rounded * sx * cy),
                          std::abs(jet.uv.z + rounded * rounded * cx * sy)});
     }
     EXPECT_LE(first, within * rounded) << waves;
