@@ -23,6 +23,7 @@ struct LineShape : Curve::Shape {
   Vector3 by;
   LineShape(Point3 begin, Vector3 way) : from(begin), by(way) {}
   [[nodiscard]] Curve::Jet jet(double t) const override { return {from + t * by, by, {}}; }
+  [[nodiscard]] double bend(double, double) const override { return 0.0; }
 };
 
 struct ArcShape : Curve::Shape {
@@ -34,6 +35,7 @@ struct ArcShape : Curve::Shape {
     const Vector3 out = c * along + s * across;
     return {centre + out, c * across - s * along, -out};
   }
+  [[nodiscard]] double bend(double, double) const override { return geom::length(along) * (1.0 + 1e-9); }
 };
 
 struct SplineShape : Curve::Shape {
@@ -51,6 +53,14 @@ struct SplineShape : Curve::Shape {
     const Vector3 first = (sum[1].vector() - sum[1].w * from_origin(at)) / sum[0].w;
     const Vector3 second = (sum[2].vector() - 2.0 * sum[1].w * first - sum[2].w * from_origin(at)) / sum[0].w;
     return {at, first, second};
+  }
+  [[nodiscard]] double bend(double from, double to) const override {
+    double most = 0.0;
+    for (const auto& [a, b] : basis.pieces(from, to)) {
+      const std::vector<Homogeneous> net = bezier_net(basis, points, a, b);
+      most = std::max(most, NetBounds(net, net.size(), 1).uu / ((b - a) * (b - a)));
+    }
+    return most;
   }
 };
 

@@ -43,10 +43,14 @@ class Curve {
   /// Between two parameters, m, to 1e-12 of itself where it has no cusp.
   [[nodiscard]] double length(double from, double to) const;
 
+  /// No second derivative between two parameters is longer, m.
+  [[nodiscard]] double bend(double from, double to) const { return shape_->bend(from, to); }
+
   /// A kind of curve.
   struct Shape {
     virtual ~Shape() = default;
     [[nodiscard]] virtual Jet jet(double t) const = 0;
+    [[nodiscard]] virtual double bend(double from, double to) const = 0;
   };
 
  private:

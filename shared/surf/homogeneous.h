@@ -5,6 +5,7 @@
 
 #include "shared/base/result.h"
 #include "shared/geom/point3.h"
+#include "shared/surf/spline_basis.h"
 
 namespace dobra::surf {
 
@@ -31,5 +32,16 @@ base::Result<std::vector<Homogeneous>> homogeneous(const std::vector<geom::Point
 
 /// Diagonal of the box of the points, m.
 double extent(const std::vector<Homogeneous>& points);
+
+/// Bezier's control points of a part of a spline curve.
+std::vector<Homogeneous> bezier_net(const SplineBasis& basis, const std::vector<Homogeneous>& points, double from,
+                                    double to);
+
+/// No second derivative of a rational Bezier patch on the unit square is longer, m.
+struct NetBounds {
+  double uu = 0.0, uv = 0.0, vv = 0.0;
+  /// @param net  control points, those of a row (v) beside each other; one column for a curve.
+  NetBounds(const std::vector<Homogeneous>& net, std::size_t count_u, std::size_t count_v);
+};
 
 }  // namespace dobra::surf

@@ -1,13 +1,13 @@
-// B-spline patches, given or through points, and graphs of formulas.
+// B-spline patches, given or through points.
 #include <fmt/format.h>
 
 #include <Eigen/SparseLU>
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <utility>
 
-#include "shared/base/formula.h"
 #include "shared/surf/homogeneous.h"
 #include "shared/surf/surface.h"
 
@@ -59,114 +59,34 @@ struct PatchShape : Surface::Shape {
             (uw.vector() - u.w * by_v - v.w * by_u - uw.w * here) / s.w,
             (vv.vector() - 2.0 * v.w * by_v - vv.w * here) / s.w};
   }
-};
-
-struct GraphShape : Surface::Shape {
-  base::Formula formula;
-  Box chart;
-  double part = 2e-3;  ///< The step of the differences, part of the chart.
-  GraphShape(base::Formula height, const Box& where) : formula(std::move(height)), chart(where) {}
-
-  [[nodiscard]] double height(double x, double y) const { return formula.at(std::array{x, y}); }
-  void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
-    for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet(uv[i]);
-  }
-
-  /// Values at nine places of a line, -4 .. 4 steps from where the derivatives are wanted, or to one side of it where
-  /// the formula ends.
-  struct Stencil {
-    std::array<double, 9> first{}, second{};
-  };
-  /// Weights at step `from` .. `from` + 8, by Fornberg's recurrence [fornberg1988].
-  static Stencil stencil(int from) {
-    std::array<std::array<double, 3>, 9> c{};
-    double c1 = 1.0;
-    double c4 = from;
-    c[0][0] = 1.0;
-    for (int i = 1; i < 9; ++i) {
-      const int most = std::min(i, 2);
-      double c2 = 1.0;
-      const double c5 = c4;
-      c4 = from + i;
-      for (int j = 0; j < i; ++j) {
-        const double c3 = i - j;
-        c2 *= c3;
-        if (j == i - 1) {
-          for (int k = most; k > 0; --k) c[i][k] = c1 * (k * c[i - 1][k - 1] - c5 * c[i - 1][k]) / c2;
-          c[i][0] = -c1 * c5 * c[i - 1][0] / c2;
+  [[nodiscard]] Bend bend(const Box& part) const override {
+    Bend most;
+    std::vector<Homogeneous> net, half;
+    const std::size_t p = basis_u.degree(), q = basis_v.degree(), row = basis_v.count();
+    for (const auto& [u0, u1] : basis_u.pieces(part.low.x, part.high.x)) {
+      const SplineBasis::ToBezier in_u = basis_u.bezier(u0, u1);
+      for (const auto& [v0, v1] : basis_v.pieces(part.low.y, part.high.y)) {
+        const SplineBasis::ToBezier in_v = basis_v.bezier(v0, v1);
+        half.assign((p + 1) * (q + 1), {});
+        net.assign((p + 1) * (q + 1), {});
+        for (std::size_t i = 0; i <= p; ++i) {
+          for (std::size_t k = 0; k <= p; ++k) {
+            for (std::size_t j = 0; j <= q; ++j)
+              half[i * (q + 1) + j] += in_u.of[i][k] * points[(in_u.first + k) * row + in_v.first + j];
+          }
         }
-        for (int k = most; k > 0; --k) c[j][k] = (c4 * c[j][k] - k * c[j][k - 1]) / c3;
-        c[j][0] = c4 * c[j][0] / c3;
+        for (std::size_t i = 0; i <= p; ++i) {
+          for (std::size_t j = 0; j <= q; ++j) {
+            for (std::size_t k = 0; k <= q; ++k) net[i * (q + 1) + j] += in_v.of[j][k] * half[i * (q + 1) + k];
+          }
+        }
+        const NetBounds bounds(net, p + 1, q + 1);
+        const double du = u1 - u0, dv = v1 - v0;
+        most = {std::max(most.uu, bounds.uu / (du * du)), std::max(most.uv, bounds.uv / (du * dv)),
+                std::max(most.vv, bounds.vv / (dv * dv))};
       }
-      c1 = c2;
     }
-    Stencil made;
-    for (std::size_t i = 0; i < 9; ++i) made.first[i] = c[i][1], made.second[i] = c[i][2];
-    return made;
-  }
-
-  /// The stencil whose places lie within the range, from which step on.
-  static std::pair<const Stencil&, int> stencil_at(double at, double low, double high, double h) {
-    static const std::array<Stencil, 9> stencils = [] {
-      std::array<Stencil, 9> made;
-      for (int from = -8; from <= 0; ++from) made[static_cast<std::size_t>(from + 8)] = stencil(from);
-      return made;
-    }();
-    int from = -4;
-    if (at - 4.0 * h < low) from = -static_cast<int>(std::floor((at - low) / h + 1e-9));
-    if (at + 4.0 * h > high) from = static_cast<int>(std::floor((high - at) / h + 1e-9)) - 8;
-    from = std::clamp(from, -8, 0);
-    return {stencils[static_cast<std::size_t>(from + 8)], from};
-  }
-
-  /// Second derivatives by a step, by the chart's width and height: (zxx, zyy).
-  [[nodiscard]] std::array<double, 2> bend(Point uv, double by) const {
-    const double hx = by * chart.width(), hy = by * chart.height();
-    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
-    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
-    double zxx = 0.0, zyy = 0.0;
-    for (int i = 0; i < 9; ++i) {
-      zxx += across.second[static_cast<std::size_t>(i)] * height(uv.x + (left + i) * hx, uv.y);
-      zyy += up.second[static_cast<std::size_t>(i)] * height(uv.x, uv.y + (below + i) * hy);
-    }
-    return {zxx / (by * by), zyy / (by * by)};
-  }
-  /// Takes the step whose second derivatives are nearest to those of half of it, over the chart: a long one leaves
-  /// terms out, a short one is all rounding.
-  void choose_step() {
-    constexpr int places = 13;
-    double least = std::numeric_limits<double>::infinity(), best = part;
-    for (double by = part; by > 2e-5; by *= 0.5) {
-      double apart = 0.0;
-      for (int i = 0; i < places * places; ++i) {
-        const Point at{geom::interpolate(chart.low, chart.high, (i / places + 0.37) / places).x,
-                       geom::interpolate(chart.low, chart.high, (i % places + 0.43) / places).y};
-        const std::array<double, 2> whole = bend(at, by), half = bend(at, 0.5 * by);
-        apart = std::max({apart, std::abs(whole[0] - half[0]), std::abs(whole[1] - half[1])});
-      }
-      if (apart < 0.7 * least) least = apart, best = by;
-    }
-    part = best;
-  }
-
-  [[nodiscard]] Jet jet(Point uv) const {
-    const double hx = part * chart.width(), hy = part * chart.height();
-    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
-    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
-    double zx = 0.0, zxx = 0.0, zy = 0.0, zyy = 0.0, zxy = 0.0;
-    for (std::size_t i = 0; i < 9; ++i) {
-      const double z = height(uv.x + (left + static_cast<int>(i)) * hx, uv.y);
-      zx += across.first[i] * z;
-      zxx += across.second[i] * z;
-      const double w = height(uv.x, uv.y + (below + static_cast<int>(i)) * hy);
-      zy += up.first[i] * w;
-      zyy += up.second[i] * w;
-      for (std::size_t j = 0; j < 9; ++j)
-        zxy += across.first[i] * up.first[j] *
-               height(uv.x + (left + static_cast<int>(i)) * hx, uv.y + (below + static_cast<int>(j)) * hy);
-    }
-    return {{uv.x, uv.y, height(uv.x, uv.y)}, {1.0, 0.0, zx / hx},         {0.0, 1.0, zy / hy},
-            {0.0, 0.0, zxx / (hx * hx)},      {0.0, 0.0, zxy / (hx * hy)}, {0.0, 0.0, zyy / (hy * hy)}};
+    return most;
   }
 };
 
@@ -304,25 +224,6 @@ base::Result<Surface> Surface::through(const std::vector<Point3>& points, std::s
   Breaks breaks{u.breaks(), v.breaks()};
   return make(std::make_shared<const PatchShape>(std::move(u), std::move(v), std::move(control)),
               {{0.0, 0.0}, {1.0, 1.0}}, std::move(breaks));
-}
-
-base::Result<Surface> Surface::graph(const std::string& formula, const Box& chart) {
-  const std::array<std::string, 2> names{"x", "y"};
-  DOBRA_TRY(base::Formula height, base::Formula::make(formula, names));
-  const auto shape = std::make_shared<GraphShape>(std::move(height), chart);
-  constexpr int parts = 32;
-  for (int i = 0; i <= parts; ++i) {
-    for (int j = 0; j <= parts; ++j) {
-      const Point at = {geom::interpolate(chart.low, chart.high, i / static_cast<double>(parts)).x,
-                        geom::interpolate(chart.low, chart.high, j / static_cast<double>(parts)).y};
-      if (geom::is_finite(at) && !std::isfinite(shape->height(at.x, at.y)))
-        return Error{ErrorCode::OutsideDomain,
-                     fmt::format("the formula '{}' has no value at x = {}, y = {}", formula, at.x, at.y),
-                     base::Place{.item = "graph", .x = at.x, .y = at.y}};
-    }
-  }
-  if (geom::is_finite(chart.low) && geom::is_finite(chart.high)) shape->choose_step();
-  return make(shape, chart);
 }
 
 }  // namespace dobra::surf

@@ -25,6 +25,7 @@ struct PlaneShape : Surface::Shape {
     for (std::size_t i = 0; i < uv.size(); ++i)
       jets[i] = {frame.origin + uv[i].x * frame.x + uv[i].y * frame.y, frame.x, frame.y, {}, {}, {}};
   }
+  [[nodiscard]] Bend bend(const Box&) const override { return {}; }
 };
 
 /// A profile in the plane of axis and radius, by v: distance from the axis and height along it, with derivatives.
@@ -38,7 +39,14 @@ template <class ProfileAt>
 struct TurnedShape : Surface::Shape {
   Frame frame;
   ProfileAt profile;
-  TurnedShape(const Frame& axes, ProfileAt at) : frame(axes), profile(at) {}
+  double bent;  ///< No second derivative of the profile is longer.
+  TurnedShape(const Frame& axes, ProfileAt at, double most) : frame(axes), profile(at), bent(most) {}
+  [[nodiscard]] Bend bend(const Box& part) const override {
+    const double half = 0.5 * part.height();
+    const Profile p = profile(part.centre().y);
+    const double slope = std::abs(p.r1) + half * bent;
+    return {std::abs(p.r) + half * slope, slope, bent};
+  }
   void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
     for (std::size_t i = 0; i < uv.size(); ++i) {
       const double c = std::cos(uv[i].x), s = std::sin(uv[i].x);
@@ -55,8 +63,8 @@ struct TurnedShape : Surface::Shape {
 };
 
 template <class ProfileAt>
-std::shared_ptr<const Surface::Shape> turned(const Frame& frame, ProfileAt profile) {
-  return std::make_shared<const TurnedShape<ProfileAt>>(frame, profile);
+std::shared_ptr<const Surface::Shape> turned(const Frame& frame, ProfileAt profile, double bent) {
+  return std::make_shared<const TurnedShape<ProfileAt>>(frame, profile, bent);
 }
 
 bool is_finite(const Frame& frame) {
@@ -106,7 +114,9 @@ base::Result<Surface> Surface::cylinder(const Frame& frame, double radius, const
   DOBRA_TRY_VOID(check(frame));
   DOBRA_TRY_VOID(check_radius(radius, "the radius of the cylinder"));
   DOBRA_TRY_VOID(check_turn(chart));
-  return make(turned(frame, [radius](double v) { return Profile{radius, 0.0, 0.0, v, 1.0, 0.0}; }), chart);
+  return make(turned(
+                  frame, [radius](double v) { return Profile{radius, 0.0, 0.0, v, 1.0, 0.0}; }, 0.0),
+              chart);
 }
 
 base::Result<Surface> Surface::cone(const Frame& frame, double radius, double half_angle, const Box& wanted) {
@@ -126,7 +136,9 @@ base::Result<Surface> Surface::cone(const Frame& frame, double radius, double ha
   if (chart.low.y < apex && apex < chart.high.y)
     return Error{ErrorCode::InvalidOption,
                  fmt::format("the apex of the cone (v = {}) is inside; cut the cone there", apex)};
-  return make(turned(frame, [=](double v) { return Profile{(v - apex) * s, s, 0.0, v * c, c, 0.0}; }), chart);
+  return make(turned(
+                  frame, [=](double v) { return Profile{(v - apex) * s, s, 0.0, v * c, c, 0.0}; }, 0.0),
+              chart);
 }
 
 base::Result<Surface> Surface::sphere(const Frame& frame, double radius, const Box& wanted) {
@@ -138,11 +150,13 @@ base::Result<Surface> Surface::sphere(const Frame& frame, double radius, const B
   chart.high.y = snapped(chart.high.y, 0.5 * pi);
   if (chart.low.y < -0.5 * pi || chart.high.y > 0.5 * pi)
     return Error{ErrorCode::InvalidOption, "latitudes of a sphere lie between a quarter turn below and above"};
-  return make(turned(frame,
-                     [radius](double v) {
-                       const double c = radius * std::cos(v), s = radius * std::sin(v);
-                       return Profile{c, -s, -c, s, c, -s};
-                     }),
+  return make(turned(
+                  frame,
+                  [radius](double v) {
+                    const double c = radius * std::cos(v), s = radius * std::sin(v);
+                    return Profile{c, -s, -c, s, c, -s};
+                  },
+                  radius),
               chart);
 }
 
@@ -158,11 +172,13 @@ base::Result<Surface> Surface::torus(const Frame& frame, double major, double mi
                              minor, major)};
   if (chart.high.y - chart.low.y > 2.0 * pi * (1.0 + 1e-12))
     return Error{ErrorCode::InvalidOption, "v of the torus goes round more than once"};
-  return make(turned(frame,
-                     [major, minor](double v) {
-                       const double c = minor * std::cos(v), s = minor * std::sin(v);
-                       return Profile{major + c, -s, -c, s, c, -s};
-                     }),
+  return make(turned(
+                  frame,
+                  [major, minor](double v) {
+                    const double c = minor * std::cos(v), s = minor * std::sin(v);
+                    return Profile{major + c, -s, -c, s, c, -s};
+                  },
+                  minor),
               chart);
 }
 

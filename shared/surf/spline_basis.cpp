@@ -52,17 +52,56 @@ std::vector<std::size_t> SplineBasis::jumps() const {
   return found;
 }
 
-SplineBasis::Values SplineBasis::at(double t) const {
-  const std::size_t p = degree_;
+std::size_t SplineBasis::span_of(double t) const {
   // The last knot that is not above t, among those that begin a piece.
-  const auto begin = knots_.begin() + static_cast<std::ptrdiff_t>(p);
+  const auto begin = knots_.begin() + static_cast<std::ptrdiff_t>(degree_);
   const auto end = knots_.begin() + static_cast<std::ptrdiff_t>(count());
   auto above = std::upper_bound(begin, end, t);
   if (above == begin) ++above;
   std::size_t span = static_cast<std::size_t>(above - knots_.begin()) - 1;
-  while (span > p && knots_[span] == knots_[span + 1]) --span;
+  while (span > degree_ && knots_[span] == knots_[span + 1]) --span;
   while (knots_[span] == knots_[span + 1]) ++span;
+  return span;
+}
 
+std::vector<std::pair<double, double>> SplineBasis::pieces(double from, double to) const {
+  std::vector<std::pair<double, double>> found;
+  double last = from;
+  for (std::size_t i = degree_ + 1; i < count(); ++i) {
+    if (knots_[i] <= last) continue;
+    if (knots_[i] >= to) break;
+    found.emplace_back(last, knots_[i]);
+    last = knots_[i];
+  }
+  found.emplace_back(last, to);
+  return found;
+}
+
+SplineBasis::ToBezier SplineBasis::bezier(double from, double to) const {
+  const std::size_t p = degree_, span = span_of(0.5 * (from + to));
+  ToBezier made;
+  made.first = span - p;
+  for (std::size_t i = 0; i <= p; ++i) {
+    for (std::size_t j = 0; j <= p; ++j) {
+      // The blossom of function j at `from` (p - i times) and `to` (i times), by de Boor's rule.
+      std::array<double, highest_degree + 1> d{};
+      d[j] = 1.0;
+      for (std::size_t r = 1; r <= p; ++r) {
+        const double t = r <= p - i ? from : to;
+        for (std::size_t k = p; k >= r; --k) {
+          const double low = knots_[span - p + k], high = knots_[span + 1 + k - r];
+          const double part = (t - low) / (high - low);
+          d[k] = (1.0 - part) * d[k - 1] + part * d[k];
+        }
+      }
+      made.of[i][j] = d[p];
+    }
+  }
+  return made;
+}
+
+SplineBasis::Values SplineBasis::at(double t) const {
+  const std::size_t p = degree_, span = span_of(t);
   // The triangle of functions of rising degree; below the diagonal the knot differences.
   std::array<std::array<double, highest_degree + 1>, highest_degree + 1> table;  // what is read is written before
   std::array<double, highest_degree + 1> left, right;

@@ -34,6 +34,17 @@ class SplineBasis {
   /// Where a knot inside stands degree + 1 times a spline may jump, from the control value i - 1 to i: these i.
   [[nodiscard]] std::vector<std::size_t> jumps() const;
 
+  /// The parts of a range that lie between two knots each; a range outside 0 is of the end piece.
+  [[nodiscard]] std::vector<std::pair<double, double>> pieces(double from, double to) const;
+  /// Bezier's control values over a range between two knots, of control value `first` on: value i is the sum of
+  /// [i][j] times control value first + j.
+  struct ToBezier {
+    std::size_t first = 0;
+    std::array<std::array<double, highest_degree + 1>, highest_degree + 1> of{};
+  };
+  /// @pre from < to, of one element of pieces().  @cost O(degree^4)
+  [[nodiscard]] ToBezier bezier(double from, double to) const;
+
   /// The functions that are not zero at a parameter, from number `first` on, with two derivatives.
   struct Values {
     std::size_t first = 0;
@@ -46,6 +57,8 @@ class SplineBasis {
 
  private:
   SplineBasis(std::size_t degree, std::vector<double> knots) : degree_(degree), knots_(std::move(knots)) {}
+  /// The knot at which the piece that holds a parameter begins.
+  [[nodiscard]] std::size_t span_of(double t) const;
   std::size_t degree_;
   std::vector<double> knots_;
 };

@@ -19,6 +19,31 @@ void cut_to(std::vector<double>& breaks, double low, double high) {
   breaks.push_back(high);
 }
 
+/// The breaks at which the tangents of both sides differ, with the ends of the range.
+std::vector<double> kinks_of(const Surface& surface, bool of_u) {
+  constexpr int places = 17;
+  const Box& chart = surface.chart();
+  const std::vector<double>& breaks = of_u ? surface.breaks().u : surface.breaks().v;
+  const double range = of_u ? chart.width() : chart.height();
+  std::vector<double> found{breaks.front()};
+  for (std::size_t i = 1; i + 1 < breaks.size(); ++i) {
+    const double at = breaks[i], before = std::nextafter(at, breaks.front());
+    bool jumps = false;
+    for (int k = 0; k < places && !jumps; ++k) {
+      const double part = (k + 0.5) / places;
+      const double other =
+          of_u ? std::lerp(chart.low.y, chart.high.y, part) : std::lerp(chart.low.x, chart.high.x, part);
+      const Jet left = surface.jet(of_u ? Point{before, other} : Point{other, before});
+      const Jet right = surface.jet(of_u ? Point{at, other} : Point{other, at});
+      const geom::Vector3 jump = of_u ? right.u - left.u : right.v - left.v;
+      jumps = geom::length(jump) * range > 1e-9 * surface.size();
+    }
+    if (jumps) found.push_back(at);
+  }
+  found.push_back(breaks.back());
+  return found;
+}
+
 }  // namespace
 
 base::Result<Surface> Surface::make(std::shared_ptr<const Shape> shape, const Box& chart, Breaks inside) {
@@ -67,6 +92,7 @@ Surface::Surface(std::shared_ptr<const Shape> shape, const Box& chart, Breaks br
     if (geom::distance(at(0, k), at(last, k)) > same) closed_u_ = false;
     if (geom::distance(at(k, 0), at(k, last)) > same) closed_v_ = false;
   }
+  kinks_ = {kinks_of(*this, true), kinks_of(*this, false)};
 }
 
 }  // namespace dobra::surf

@@ -34,6 +34,11 @@ struct Breaks {
   std::vector<double> u, v;
 };
 
+/// No second derivative in a part of the chart is longer, m by the units of the chart.
+struct Bend {
+  double uu = 0.0, uv = 0.0, vv = 0.0;
+};
+
 /// Cheap to copy; any number of threads may ask at once. Angles in radians. Every maker may answer with NotFinite for a
 /// number that is not, and with InvalidOption for a chart that is empty.
 class Surface {
@@ -81,6 +86,8 @@ class Surface {
 
   [[nodiscard]] const geom::Box& chart() const { return chart_; }
   [[nodiscard]] const Breaks& breaks() const { return breaks_; }
+  /// Those of the breaks on which the tangents of both sides differ, and the ends of the chart.
+  [[nodiscard]] const Breaks& kinks() const { return kinks_; }
   /// Diagonal of the box of some points, m: what tolerances are measured by.
   [[nodiscard]] double size() const { return size_; }
   /// The side is one point in space.
@@ -98,10 +105,15 @@ class Surface {
   /// Many at once. @pre as many jets as points
   void jets(std::span<const geom::Point> uv, std::span<Jet> jets) const { shape_->jets(uv, jets); }
 
+  /// Bounds of the second derivatives in a part of the chart: proven ones, but for rounding, and for a graph, where
+  /// they are half as much again as those at 257 x 257 places of the chart.
+  [[nodiscard]] Bend bend(const geom::Box& part) const { return shape_->bend(part); }
+
   /// A kind of surface.
   struct Shape {
     virtual ~Shape() = default;
     virtual void jets(std::span<const geom::Point> uv, std::span<Jet> jets) const = 0;
+    [[nodiscard]] virtual Bend bend(const geom::Box& part) const = 0;
   };
 
  private:
@@ -110,7 +122,7 @@ class Surface {
 
   std::shared_ptr<const Shape> shape_;
   geom::Box chart_;
-  Breaks breaks_;
+  Breaks breaks_, kinks_;
   double size_ = 0.0;
   std::array<bool, 4> collapsed_{};
   bool closed_u_ = false, closed_v_ = false;

@@ -34,6 +34,11 @@ struct Scaled {
     for (const double at : curve.breaks()) parts.push_back((at - curve.low()) / (curve.high() - curve.low()));
     return parts;
   }
+  [[nodiscard]] double bend(double from, double to) const {
+    const double range = curve.high() - curve.low();
+    return range * range *
+           curve.bend(std::lerp(curve.low(), curve.high(), from), std::lerp(curve.low(), curve.high(), to));
+  }
 };
 
 std::vector<double> merged(std::vector<double> a, const std::vector<double>& b) {
@@ -58,6 +63,10 @@ struct RuledShape : Surface::Shape {
                  {}};
     }
   }
+  [[nodiscard]] Bend bend(const Box& part) const override {
+    const double a = bottom.bend(part.low.x, part.high.x), b = top.bend(part.low.x, part.high.x), u = part.centre().x;
+    return {std::max(a, b), geom::length(top.jet(u).first - bottom.jet(u).first) + 0.5 * part.width() * (a + b), 0.0};
+  }
 };
 
 struct ExtrudedShape : Surface::Shape {
@@ -70,6 +79,7 @@ struct ExtrudedShape : Surface::Shape {
       jets[i] = {p.at + uv[i].y * by, p.first, by, p.second, {}, {}};
     }
   }
+  [[nodiscard]] Bend bend(const Box& part) const override { return {profile.bend(part.low.x, part.high.x), 0.0, 0.0}; }
 };
 
 struct RevolvedShape : Surface::Shape {
@@ -92,6 +102,12 @@ struct RevolvedShape : Surface::Shape {
       jets[i] = {on_axis + turned(from_axis),          moving(from_axis), turned(p.first),
                  along(from_axis) - turned(from_axis), moving(p.first),   turned(p.second)};
     }
+  }
+  [[nodiscard]] Bend bend(const Box& part) const override {
+    const double bent = profile.bend(part.low.y, part.high.y), half = 0.5 * part.height();
+    const Curve::Jet p = profile.jet(part.centre().y);
+    const double slope = geom::length(p.first) + half * bent;
+    return {geom::length(cross(axis, p.at - on_axis)) + half * slope, slope, bent};
   }
 };
 
@@ -120,6 +136,15 @@ struct CoonsShape : Surface::Shape {
                  (r.first - l.first) + (t.first - b.first) - twist,
                  l.second + u * (r.second - l.second)};
     }
+  }
+  [[nodiscard]] Bend bend(const Box& part) const override {
+    const double b = bottom.bend(part.low.x, part.high.x), t = top.bend(part.low.x, part.high.x);
+    const double l = left.bend(part.low.y, part.high.y), r = right.bend(part.low.y, part.high.y);
+    const Point m = part.centre();
+    const Vector3 twist = (right.jet(m.y).first - left.jet(m.y).first) + (top.jet(m.x).first - bottom.jet(m.x).first) -
+                          ((p11 - p10) - (p01 - p00));
+    return {std::max(b, t), geom::length(twist) + 0.5 * part.width() * (b + t) + 0.5 * part.height() * (l + r),
+            std::max(l, r)};
   }
 };
 
