@@ -14,7 +14,8 @@ Hull hull_of(const Surface& surface, const Box& cell) {
   const double a = 0.5 * cell.width(), b = 0.5 * cell.height();
   const double uu = bend.uu * a * a, uv = bend.uv * a * b, vv = bend.vv * b * b;
   // A hair for the rounding of the bounds themselves.
-  return {jet.at, a * jet.u, b * jet.v, 0.5 * (uu + vv) + uv + 1e-15 * (surface.size() + geom::distance(jet.at, {})), uu + uv, uv + vv};
+  return {jet.at,  a * jet.u, b * jet.v, 0.5 * (uu + vv) + uv + 1e-15 * (surface.size() + geom::distance(jet.at, {})),
+          uu + uv, uv + vv};
 }
 
 std::vector<Box> smooth_parts(const Surface& surface) {
@@ -38,7 +39,8 @@ std::array<std::size_t, 2> Cells::halves(std::size_t cell) {
     const Cell whole = cells_[cell];
     const Point m = whole.box.centre();
     // By the ways and by what is not straight: a cell with a pole has no width in its middle's tangent alone.
-    const bool across_u = geom::length(whole.hull.along_u) + whole.hull.turn_u > geom::length(whole.hull.along_v) + whole.hull.turn_v;
+    const bool across_u =
+        geom::length(whole.hull.along_u) + whole.hull.turn_u > geom::length(whole.hull.along_v) + whole.hull.turn_v;
     Box first = whole.box, second = whole.box;
     (across_u ? first.high.x : first.high.y) = across_u ? m.x : m.y;
     (across_u ? second.low.x : second.low.y) = across_u ? m.x : m.y;

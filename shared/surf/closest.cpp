@@ -35,8 +35,8 @@ Slope slope_of(const Jet& jet, Point3 point) {
           dot(jet.v, jet.v) + dot(r, jet.vv)};
 }
 
-/// A step downhill; by Newton's rule where the distance bends upwards, else down the bend or the slope. `free` says which
-/// parameters may change.
+/// A step downhill; by Newton's rule where the distance bends upwards, else down the bend or the slope. `free` says
+/// which parameters may change.
 Point step_of(const Jet& jet, const Slope& s, bool free_u, bool free_v) {
   const double e = dot(jet.u, jet.u), g = dot(jet.v, jet.v);
   if (!free_u && !free_v) return {};
@@ -68,7 +68,7 @@ void polish(const Surface& surface, Point3 point, const Box& box, Foot& foot) {
     const Point uv = foot.uv;
     const Jet jet = surface.jet(uv);
     const Slope s = slope_of(jet, point);
-    const bool free_u = uv.x > box.low.x && uv.x < box.high.x, free_v = uv.y > box.low.y && uv.y < box.high.y;
+    const bool free_u = uv.x > box.low.x && uv.x<box.high.x, free_v = uv.y> box.low.y && uv.y < box.high.y;
     const Point step = step_of(jet, s, free_u, free_v);
     const Point next = clamped({uv.x + step.x, uv.y + step.y}, box);
     const Jet there = surface.jet(next);
@@ -189,8 +189,10 @@ Foot closest(const Surface& surface, Point3 point, Point near) {
       Walk done = walk(surface, point, at, part);
       if (!done.arrived) {
         // Not seen to happen; then the place where it went is searched through.
-        const double du = std::max(1e-3 * part.width(), done.seen.width()), dv = std::max(1e-3 * part.height(), done.seen.height());
-        const Box around{clamped({done.seen.low.x - du, done.seen.low.y - dv}, part), clamped({done.seen.high.x + du, done.seen.high.y + dv}, part)};
+        const double du = std::max(1e-3 * part.width(), done.seen.width()),
+                     dv = std::max(1e-3 * part.height(), done.seen.height());
+        const Box around{clamped({done.seen.low.x - du, done.seen.low.y - dv}, part),
+                         clamped({done.seen.high.x + du, done.seen.high.y + dv}, part)};
         Cells cells(surface);
         search(cells, point, around, gain, done.foot);
       }

@@ -13,8 +13,8 @@ struct Foot {
 };
 
 /// The nearest place downhill from a known neighbour: no place around it is nearer, by more than 1e-12 of the
-/// surface's size, and it is never farther than the neighbour. Walks across seams, poles and corners; stays on the sheet
-/// that the neighbour is on, however near another one comes.
+/// surface's size, and it is never farther than the neighbour. Walks across seams, poles and corners; stays on the
+/// sheet that the neighbour is on, however near another one comes.
 /// @param near  taken to the chart where it lies beside it.
 Foot closest(const Surface& surface, geom::Point3 point, geom::Point near);
 

@@ -17,7 +17,8 @@ std::vector<Homogeneous> bezier_net(const SplineBasis& basis, const std::vector<
 }
 
 NetBounds::NetBounds(const std::vector<Homogeneous>& net, std::size_t count_u, std::size_t count_v) {
-  // About a point among them, so that what is far from the origin keeps its digits: A = sum of w (P - c), S - c = A / w.
+  // About a point among them, so that what is far from the origin keeps its digits: A = sum of w (P - c), S - c = A /
+  // w.
   const geom::Point3 c = net[net.size() / 2].point();
   std::vector<Vector3> a;
   std::vector<double> w;
