@@ -18,7 +18,8 @@ using geom::Vector3;
 
 namespace {
 
-/// The line, with two unit axes across it: a point of the surface is on it where both its coordinates along them are nought.
+/// The line, with two unit axes across it: a point of the surface is on it where both its coordinates along them are
+/// nought.
 struct Line {
   Point3 from;
   Vector3 way, across, up;
@@ -55,9 +56,11 @@ class LineSearch {
       level = std::move(next);
       if (level.size() > most) {
         const Point3 p = cells_[level.front()].hull.centre;
-        return Error{ErrorCode::InvalidOption,
-                     fmt::format("the line lies in the surface, or touches it along a curve, at ({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z),
-                     base::Place{.item = "line", .x = p.x, .y = p.y}};
+        return Error{
+            ErrorCode::InvalidOption,
+            fmt::format("the line lies in the surface, or touches it along a curve, at ({:.6g}, {:.6g}, {:.6g})", p.x,
+                        p.y, p.z),
+            base::Place{.item = "line", .x = p.x, .y = p.y}};
       }
     }
     return {};
@@ -70,7 +73,8 @@ class LineSearch {
     const Cells::Cell cell = cells_[number];
     const Hull& hull = cell.hull;
     const Point f = line_.off(hull.centre), u = line_.off(hull.along_u), v = line_.off(hull.along_v);
-    if (std::abs(f.x) > std::abs(u.x) + std::abs(v.x) + hull.rest || std::abs(f.y) > std::abs(u.y) + std::abs(v.y) + hull.rest)
+    if (std::abs(f.x) > std::abs(u.x) + std::abs(v.x) + hull.rest ||
+        std::abs(f.y) > std::abs(u.y) + std::abs(v.y) + hull.rest)
       return true;
     const std::optional<Point> root = solved(u, v, {-f.x, -f.y});
     const double det = std::abs(u.x * v.y - u.y * v.x);
@@ -144,10 +148,13 @@ class LineSearch {
       const double g1 = dot(n, line_.way), g2 = f.x * t.x + f.y * t.y;
       const double g1_u = dot(cross(jet.uu, jet.v) + cross(jet.u, jet.uv), line_.way);
       const double g1_v = dot(cross(jet.uv, jet.v) + cross(jet.u, jet.vv), line_.way);
-      const std::optional<Point> step = solved({g1_u, u.x * t.x + u.y * t.y}, {g1_v, v.x * t.x + v.y * t.y}, {-g1, -g2});
+      const std::optional<Point> step =
+          solved({g1_u, u.x * t.x + u.y * t.y}, {g1_v, v.x * t.x + v.y * t.y}, {-g1, -g2});
       if (!step) return;
       const Point next = into({uv.x + step->x, uv.y + step->y}, cells_.part(cell.part));
-      if (std::abs(next.x - cell.box.centre().x) > 4.0 * cell.box.width() || std::abs(next.y - cell.box.centre().y) > 4.0 * cell.box.height()) return;
+      if (std::abs(next.x - cell.box.centre().x) > 4.0 * cell.box.width() ||
+          std::abs(next.y - cell.box.centre().y) > 4.0 * cell.box.height())
+        return;
       const double moved = geom::length((next.x - uv.x) * jet.u + (next.y - uv.y) * jet.v);
       uv = next;
       if (moved <= 1e-14 * surface_.size()) break;
@@ -192,15 +199,17 @@ class LineSearch {
 
 }  // namespace
 
-base::Result<std::vector<LineHit>> intersect_line(const Surface& surface, Point3 from, Vector3 way, double from_t, double to_t) {
-  if (!geom::is_finite(from) || !geom::is_finite(way)) return Error{ErrorCode::NotFinite, "the line has a number that is not finite"};
+base::Result<std::vector<LineHit>> intersect_line(const Surface& surface, Point3 from, Vector3 way, double from_t,
+                                                  double to_t) {
+  if (!geom::is_finite(from) || !geom::is_finite(way))
+    return Error{ErrorCode::NotFinite, "the line has a number that is not finite"};
   const double length = geom::length(way);
   if (!(length > 0.0)) return Error{ErrorCode::DegenerateCurve, "the line has no direction"};
   const Vector3 unit = way / length;
   // The axis that is farthest from the line gives the first one across.
   const Vector3 axis = std::abs(unit.x) <= std::abs(unit.y) && std::abs(unit.x) <= std::abs(unit.z) ? Vector3{1, 0, 0}
-                       : std::abs(unit.y) <= std::abs(unit.z)                                      ? Vector3{0, 1, 0}
-                                                                                                   : Vector3{0, 0, 1};
+                       : std::abs(unit.y) <= std::abs(unit.z)                                       ? Vector3{0, 1, 0}
+                                                                                                    : Vector3{0, 0, 1};
   const Vector3 across = geom::normalised(cross(unit, axis));
   const Line line{from, unit, across, cross(unit, across)};
   LineSearch search(surface, line);

@@ -93,10 +93,14 @@ TEST(IntersectLine, FindsWhatADenseNetFinds) {
     std::vector<Point3> net;
     for (int i = 0; i <= n; ++i) {
       for (int j = 0; j <= n; ++j)
-        net.push_back(surface.at({std::lerp(surface.chart().low.x, surface.chart().high.x, i / double(n)), std::lerp(surface.chart().low.y, surface.chart().high.y, j / double(n))}));
+        net.push_back(surface.at({std::lerp(surface.chart().low.x, surface.chart().high.x, i / double(n)),
+                                  std::lerp(surface.chart().low.y, surface.chart().high.y, j / double(n))}));
     }
     for (int tries = 0; tries < 40; ++tries) {
-      const auto inside = [&] { return Point{between(random, surface.chart().low.x, surface.chart().high.x), between(random, surface.chart().low.y, surface.chart().high.y)}; };
+      const auto inside = [&] {
+        return Point{between(random, surface.chart().low.x, surface.chart().high.x),
+                     between(random, surface.chart().low.y, surface.chart().high.y)};
+      };
       const Point3 from = surface.at(inside()) + 0.05 * surface.size() * any_way(random);
       const Vector3 way = surface.at(inside()) - from;
       const auto hits = intersect_line(surface, from, way);
@@ -109,12 +113,14 @@ TEST(IntersectLine, FindsWhatADenseNetFinds) {
       }
       for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
-          const Point3 a = net[i * (n + 1) + j], b = net[(i + 1) * (n + 1) + j], c = net[(i + 1) * (n + 1) + j + 1], d = net[i * (n + 1) + j + 1];
+          const Point3 a = net[i * (n + 1) + j], b = net[(i + 1) * (n + 1) + j], c = net[(i + 1) * (n + 1) + j + 1],
+                       d = net[i * (n + 1) + j + 1];
           for (const auto& [p, q, r] : {std::array{a, b, c}, std::array{a, c, d}}) {
             const auto volume = [&](Point3 x, Point3 y) { return dot(way, cross(x - from, y - from)); };
             const double v1 = volume(p, q), v2 = volume(q, r), v3 = volume(r, p), sum = v1 + v2 + v3;
             if (!((v1 > 0 && v2 > 0 && v3 > 0) || (v1 < 0 && v2 < 0 && v3 < 0))) continue;
-            const Point3 at = Point3{} + (v2 / sum) * (p - Point3{}) + (v3 / sum) * (q - Point3{}) + (v1 / sum) * (r - Point3{});
+            const Point3 at =
+                Point3{} + (v2 / sum) * (p - Point3{}) + (v3 / sum) * (q - Point3{}) + (v1 / sum) * (r - Point3{});
             // Nearly along the triangle the true surface may be missed where its chord is not.
             const Vector3 normal = cross(q - p, r - p);
             if (std::abs(dot(normal, way)) < 0.05 * geom::length(normal) * geom::length(way)) continue;
@@ -122,7 +128,9 @@ TEST(IntersectLine, FindsWhatADenseNetFinds) {
             for (const LineHit& hit : *hits) nearest = std::min(nearest, geom::distance(hit.at, at));
             // A triangle at a border may be passed where the chord leaves the surface.
             const bool at_border = i == 0 || j == 0 || i == n - 1 || j == n - 1;
-            if (!at_border) { EXPECT_LE(nearest, 0.02 * surface.size()) << name << " " << tries << " " << i << " " << j; }
+            if (!at_border) {
+              EXPECT_LE(nearest, 0.02 * surface.size()) << name << " " << tries << " " << i << " " << j;
+            }
           }
         }
       }
