@@ -28,7 +28,8 @@ struct SharedPoint {
 };
 
 /// A curve that two surfaces share, as a chain of points of both (to 1e-12 of their size). From point to point it turns
-/// by 12 degrees at most. Where it passes a seam or a corner of a surface, two points stand at the same place in space.
+/// by 12 degrees at most, and goes on by 0.03 of the size of the smaller surface. Where it passes a seam or a corner of
+/// a surface, two points stand at the same place in space.
 struct SharedCurve {
   std::vector<SharedPoint> points;
   bool closed = false;  ///< In space; the last point is then at the place of the first.

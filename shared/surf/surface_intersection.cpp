@@ -44,8 +44,13 @@ struct Limits {
 class Search {
  public:
   Search(const Surface& first, const Surface& second)
-      : first_(first), second_(second), in_first_(first), in_second_(second), size_(std::min(first.size(), second.size())) {
-    const double far = std::max(geom::distance(first.at(first.chart().centre()), {}), geom::distance(second.at(second.chart().centre()), {}));
+      : first_(first),
+        second_(second),
+        in_first_(first),
+        in_second_(second),
+        size_(std::min(first.size(), second.size())) {
+    const double far = std::max(geom::distance(first.at(first.chart().centre()), {}),
+                                geom::distance(second.at(second.chart().centre()), {}));
     enough_ = 2e-14 * (std::max(first.size(), second.size()) + far);
     scale_ = limits(first.chart(), second.chart()).width();
   }
@@ -66,7 +71,9 @@ class Search {
     return {{a.low.x, a.low.y, b.low.x, b.low.y}, {a.high.x, a.high.y, b.high.x, b.high.y}};
   }
   [[nodiscard]] Both at(const Four& x) const { return {first_.jet({x[0], x[1]}), second_.jet({x[2], x[3]})}; }
-  [[nodiscard]] SharedPoint shared(const Four& x) const { return {{x[0], x[1]}, {x[2], x[3]}, first_.at({x[0], x[1]})}; }
+  [[nodiscard]] SharedPoint shared(const Four& x) const {
+    return {{x[0], x[1]}, {x[2], x[3]}, first_.at({x[0], x[1]})};
+  }
   /// By parts of the charts, so that the units of the parameters do not matter.
   [[nodiscard]] Matrix34 derivative(const Both& j) const {
     Matrix34 d;
@@ -81,8 +88,9 @@ class Search {
 
   static bool apart(const Hull& a, const Hull& b) {
     const Vector3 way = b.centre - a.centre;
-    for (const Vector3 axis : {unit_or_nought(way), unit_or_nought(cross(a.along_u, a.along_v)), unit_or_nought(cross(b.along_u, b.along_v)),
-                               unit_or_nought(a.along_u), unit_or_nought(a.along_v), unit_or_nought(b.along_u), unit_or_nought(b.along_v)}) {
+    for (const Vector3 axis :
+         {unit_or_nought(way), unit_or_nought(cross(a.along_u, a.along_v)), unit_or_nought(cross(b.along_u, b.along_v)),
+          unit_or_nought(a.along_u), unit_or_nought(a.along_v), unit_or_nought(b.along_u), unit_or_nought(b.along_v)}) {
       if (std::abs(dot(way, axis)) > a.reach(axis) + b.reach(axis)) return true;
     }
     return false;
@@ -90,7 +98,8 @@ class Search {
   /// No normal of the cell leans from that of the middle by more, radians.
   static double lean(const Hull& hull) {
     const double area = geom::length(cross(hull.along_u, hull.along_v));
-    const double turn = geom::length(hull.along_u) * hull.turn_v + geom::length(hull.along_v) * hull.turn_u + hull.turn_u * hull.turn_v;
+    const double turn =
+        geom::length(hull.along_u) * hull.turn_v + geom::length(hull.along_v) * hull.turn_u + hull.turn_u * hull.turn_v;
     return turn < area ? std::asin(turn / area) : 4.0;
   }
   static bool transversal(const Hull& a, const Hull& b) {
@@ -133,7 +142,8 @@ class Search {
       if (level.size() > most || found_.contacts.size() > 5000) {
         const Point3 p = level.empty() ? found_.contacts.back().point.at : in_first_[level.front().a].hull.centre;
         return Error{ErrorCode::InvalidOption,
-                     fmt::format("the surfaces share more than curves, or nearly so, at ({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z),
+                     fmt::format("the surfaces share more than curves, or nearly so, at ({:.6g}, {:.6g}, {:.6g})", p.x,
+                                 p.y, p.z),
                      base::Place{.item = "surface", .x = p.x, .y = p.y}};
       }
     }
@@ -143,7 +153,8 @@ class Search {
   [[nodiscard]] bool is_about_a_contact(const Pair& pair) const {
     const Box &a = in_first_[pair.a].box, &b = in_second_[pair.b].box;
     const auto near = [](const Box& box, Point uv) {
-      return std::abs(uv.x - box.centre().x) <= 3.0 * box.width() && std::abs(uv.y - box.centre().y) <= 3.0 * box.height();
+      return std::abs(uv.x - box.centre().x) <= 3.0 * box.width() &&
+             std::abs(uv.y - box.centre().y) <= 3.0 * box.height();
     };
     return std::any_of(found_.contacts.begin(), found_.contacts.end(), [&](const SharedContact& contact) {
       return near(a, contact.point.first) && near(b, contact.point.second);
@@ -159,14 +170,15 @@ class Search {
     for (int round = 0; round < 25; ++round) {
       const Both j = at(x);
       const Vector3 r = j.gap(), n = cross(j.a.u, j.a.v);
-      const Vector3 n_u = cross(j.a.uu, j.a.v) + cross(j.a.u, j.a.uv), n_v = cross(j.a.uv, j.a.v) + cross(j.a.u, j.a.vv);
+      const Vector3 n_u = cross(j.a.uu, j.a.v) + cross(j.a.u, j.a.uv),
+                    n_v = cross(j.a.uv, j.a.v) + cross(j.a.u, j.a.vv);
       Eigen::Matrix4d d;
       Four f;
       f << dot(r, j.b.u), dot(r, j.b.v), dot(n, j.b.u), dot(n, j.b.v);
       d << dot(j.a.u, j.b.u), dot(j.a.v, j.b.u), dot(r, j.b.uu) - dot(j.b.u, j.b.u), dot(r, j.b.uv) - dot(j.b.v, j.b.u),
           dot(j.a.u, j.b.v), dot(j.a.v, j.b.v), dot(r, j.b.uv) - dot(j.b.u, j.b.v), dot(r, j.b.vv) - dot(j.b.v, j.b.v),
-          dot(n_u, j.b.u), dot(n_v, j.b.u), dot(n, j.b.uu), dot(n, j.b.uv),
-          dot(n_u, j.b.v), dot(n_v, j.b.v), dot(n, j.b.uv), dot(n, j.b.vv);
+          dot(n_u, j.b.u), dot(n_v, j.b.u), dot(n, j.b.uu), dot(n, j.b.uv), dot(n_u, j.b.v), dot(n_v, j.b.v),
+          dot(n, j.b.uv), dot(n, j.b.vv);
       d = d * scale_.asDiagonal();
       for (int row = 0; row < 4; ++row) {
         const double size = d.row(row).norm();
@@ -189,7 +201,8 @@ class Search {
     }
     const Both j = at(x);
     const Vector3 n = unit_or_nought(cross(j.a.u, j.a.v)), m = unit_or_nought(cross(j.b.u, j.b.v));
-    if (geom::length(j.gap()) > 1e-10 * size_ || geom::length(cross(n, m)) > 1e-5 || n == Vector3{} || m == Vector3{}) return;
+    if (geom::length(j.gap()) > 1e-10 * size_ || geom::length(cross(n, m)) > 1e-5 || n == Vector3{} || m == Vector3{})
+      return;
     // Heights over the common tangent plane, by two of its axes.
     const Vector3 e = unit_or_nought(j.a.u), g = cross(n, e);
     const auto heights = [&](const Jet& jet) {
@@ -200,14 +213,17 @@ class Search {
       const Eigen::Matrix2d back = by.inverse();
       return Eigen::Matrix2d(back.transpose() * form * back);
     };
-    const Eigen::Vector2d bends = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(heights(j.a) - heights(j.b)).eigenvalues();
+    const Eigen::Vector2d bends =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(heights(j.a) - heights(j.b)).eigenvalues();
     const double nought = 1e-5 / size_;
     SharedContact::Kind kind = bends[0] * bends[1] > 0.0 ? SharedContact::Kind::Touch : SharedContact::Kind::Crossing;
     if (std::abs(bends[0]) < nought || std::abs(bends[1]) < nought) kind = SharedContact::Kind::Along;
     for (const SharedContact& other : found_.contacts) {
       if (geom::distance(other.point.at, j.a.at) < 1e-8 * size_) {
         // The same place from another side of a seam: the pair is settled by it too.
-        if (geom::distance(other.point.first, {x[0], x[1]}) + geom::distance(other.point.second, {x[2], x[3]}) < 1e-6 * scale_.sum()) return;
+        if (geom::distance(other.point.first, {x[0], x[1]}) + geom::distance(other.point.second, {x[2], x[3]}) <
+            1e-6 * scale_.sum())
+          return;
       }
     }
     found_.contacts.push_back({kind, shared(x)});
@@ -225,7 +241,8 @@ class Search {
       Matrix34 d = derivative(j);
       const Four down = -(d.transpose() * r);
       for (int i = 0; i < 4; ++i) {
-        if (i == held || (x[i] <= box.low[i] && down[i] < 0.0) || (x[i] >= box.high[i] && down[i] > 0.0)) d.col(i).setZero();
+        if (i == held || (x[i] <= box.low[i] && down[i] < 0.0) || (x[i] >= box.high[i] && down[i] > 0.0))
+          d.col(i).setZero();
       }
       Eigen::CompleteOrthogonalDecomposition<Matrix34> solver;
       solver.setThreshold(1e-12);
@@ -254,7 +271,8 @@ class Search {
     }
     return std::nullopt;
   }
-  [[nodiscard]] Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix4d> plane_solver(const Both& j, Vector3 across) const {
+  [[nodiscard]] Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix4d> plane_solver(const Both& j,
+                                                                                     Vector3 across) const {
     Eigen::Matrix4d d;
     d.topRows<3>() = derivative(j);
     d.row(3) << scale_[0] * dot(j.a.u, across), scale_[1] * dot(j.a.v, across), 0.0, 0.0;
@@ -320,6 +338,7 @@ class Search {
       const Traced back = walked(start, parts, -1.0);
       std::vector<Four> points(back.points.rbegin(), back.points.rend());
       std::vector<Point3> places(back.at.rbegin(), back.at.rend());
+      if (forward.points.size() == 1) points.back() = forward.points.front();  // a start a hair from its end
       points.insert(points.end(), forward.points.begin() + 1, forward.points.end());
       places.insert(places.end(), forward.at.begin() + 1, forward.at.end());
       forward.points = std::move(points);
@@ -336,17 +355,19 @@ class Search {
       made.at.push_back(first_.at({x[0], x[1]}));
     };
     add(start);
-    const double longest = 0.04 * size_, shortest = 1e-10 * size_;
+    const double longest = 0.02 * size_, shortest = 1e-10 * size_;
     double step = 0.01 * size_;
     Both j = at(start);
-    Vector3 way = sense * unit_or_nought(cross(unit_or_nought(cross(j.a.u, j.a.v)), unit_or_nought(cross(j.b.u, j.b.v))));
+    Vector3 way =
+        sense * unit_or_nought(cross(unit_or_nought(cross(j.a.u, j.a.v)), unit_or_nought(cross(j.b.u, j.b.v))));
     Four x = start;
     constexpr std::size_t most = 200000;
     while (made.points.size() < most) {
       const Point3 here = j.a.at;
       // Back at the start?
       const Vector3 home = made.at.front() - here;
-      if (made.points.size() > 4 && dot(home, way) > 0.0 && dot(home, way) <= step && geom::length(home) <= 1.3 * dot(home, way)) {
+      if (made.points.size() > 4 && dot(home, way) > 0.0 && dot(home, way) <= step &&
+          geom::length(home) <= 1.3 * dot(home, way)) {
         const std::optional<Four> there = in_plane(x + dot(home, way) * tangent(j, way), made.at.front(), way);
         if (there && (*there - start).cwiseQuotient(scale_).cwiseAbs().maxCoeff() < 1e-6) {
           add(start);
@@ -377,7 +398,8 @@ class Search {
         if (shorter()) continue;
         return made;
       }
-      if (((*next - parts.high).cwiseQuotient(scale_)).maxCoeff() > hair || ((parts.low - *next).cwiseQuotient(scale_)).maxCoeff() > hair) {
+      if (((*next - parts.high).cwiseQuotient(scale_)).maxCoeff() > hair ||
+          ((parts.low - *next).cwiseQuotient(scale_)).maxCoeff() > hair) {
         if (const std::optional<Four> end = end_of(x, *next, parts)) {
           finish(made, *end);
           return made;
@@ -407,12 +429,15 @@ class Search {
   }
   void finish(Traced& made, const Four& end) const {
     const Point3 p = first_.at({end[0], end[1]});
-    if (geom::distance(p, made.at.back()) > 1e-12 * size_) finish_at(made, end, p);
-    else if (made.points.size() > 1) made.points.back() = end;
+    if (geom::distance(p, made.at.back()) <= 1e-12 * size_) {  // the border itself, not a hair before it
+      made.points.pop_back();
+      made.at.pop_back();
+    }
+    finish_at(made, end, p);
   }
 
-  /// Where the curve leaves the parts between a place inside and one outside: the parameter that leaves first is held at its
-  /// limit.
+  /// Where the curve leaves the parts between a place inside and one outside: the parameter that leaves first is held
+  /// at its limit.
   std::optional<Four> end_of(const Four& inside, const Four& outside, const Limits& parts) const {
     struct Way {
       double part;
@@ -500,8 +525,10 @@ class Search {
         for (std::size_t k = 1; k < outer.points.size() && !near; ++k) {
           const Point3 a = outer.points[k - 1].at;
           const Vector3 chord = outer.points[k].at - a;
-          const double length = geom::length(chord), part = length > 0.0 ? std::clamp(dot(p.at - a, chord) / (length * length), 0.0, 1.0) : 0.0;
-          near = geom::distance(p.at, a + part * chord) <= std::max(same, sag * length * std::min(part, 1.0 - part) * 4.0 + same);
+          const double length = geom::length(chord),
+                       part = length > 0.0 ? std::clamp(dot(p.at - a, chord) / (length * length), 0.0, 1.0) : 0.0;
+          near = geom::distance(p.at, a + part * chord) <=
+                 std::max(same, sag * length * std::min(part, 1.0 - part) * 4.0 + same);
         }
         if (!near) return false;
       }
@@ -510,7 +537,8 @@ class Search {
     for (std::size_t i = 0; i < chains.size(); ++i) {
       for (std::size_t k = chains.size(); k-- > i + 1;) {
         const bool ends = geom::distance(chains[i].points.front().at, chains[k].points.front().at) <= same ||
-                          geom::distance(chains[i].points.front().at, chains[k].points.back().at) <= same || chains[i].closed;
+                          geom::distance(chains[i].points.front().at, chains[k].points.back().at) <= same ||
+                          chains[i].closed;
         if (ends && lies_on(chains[k], chains[i])) chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(k));
       }
     }
@@ -527,15 +555,18 @@ class Search {
 
 }  // namespace
 
-base::Result<SharedSet> intersect_surfaces(const Surface& first, const Surface& second) { return Search(first, second).run(); }
+base::Result<SharedSet> intersect_surfaces(const Surface& first, const Surface& second) {
+  return Search(first, second).run();
+}
 
 base::Result<SharedSet> intersect_plane(const Surface& surface, Point3 on_plane, Vector3 normal) {
-  if (!geom::is_finite(on_plane) || !geom::is_finite(normal)) return Error{ErrorCode::NotFinite, "the plane has a number that is not finite"};
+  if (!geom::is_finite(on_plane) || !geom::is_finite(normal))
+    return Error{ErrorCode::NotFinite, "the plane has a number that is not finite"};
   if (normal == Vector3{}) return Error{ErrorCode::DegenerateCurve, "the normal of the plane has no direction"};
   const Vector3 n = geom::normalised(normal);
   const Vector3 axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vector3{1, 0, 0}
-                       : std::abs(n.y) <= std::abs(n.z)                                ? Vector3{0, 1, 0}
-                                                                                       : Vector3{0, 0, 1};
+                       : std::abs(n.y) <= std::abs(n.z)                                 ? Vector3{0, 1, 0}
+                                                                                        : Vector3{0, 0, 1};
   const Vector3 x = geom::normalised(cross(axis, n)), y = cross(n, x);
   // As much of the plane as the surface can reach.
   const Cells cells(surface);
