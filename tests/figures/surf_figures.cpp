@@ -1,9 +1,12 @@
-// Figures of surfaces.md.
+// Figures of surfaces.md and surface_search.md.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "shared/surf/intersect.h"
 #include "shared/surf/measure.h"
 #include "tests/figures/figures.h"
 
@@ -89,8 +92,49 @@ base::Result<scene::Picture> surfaces() {
   return picture;
 }
 
+geom::Polyline in_chart(const surf::SharedCurve& curve) {
+  std::vector<Point> points;
+  for (const surf::SharedPoint& p : curve.points) points.push_back(p.first);
+  return chain(std::move(points));
+}
+
+base::Result<scene::Picture> surface_search() {
+  DOBRA_TRY(const surf::Surface humps, surf::Surface::graph("sin(x) * cos(y)", {{0.3, 0.3}, {11.0, 7.0}}));
+  std::vector<geom::Polyline> levels, crossing;
+  std::vector<Point> touches, crosses;
+  for (const double z : {-1.0, -0.95, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 0.95, 1.0}) {
+    DOBRA_TRY(const surf::SharedSet cut, surf::intersect_plane(humps, {0, 0, z}, {0, 0, 1}));
+    for (const surf::SharedCurve& curve : cut.curves) (z == 0.0 ? crossing : levels).push_back(in_chart(curve));
+    for (const surf::SharedContact& contact : cut.contacts)
+      (contact.kind == surf::SharedContact::Kind::Touch ? touches : crosses).push_back(contact.point.first);
+  }
+  constexpr double pi = std::numbers::pi;
+  const surf::Frame up{{0, 0, -4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      across{{-4, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  DOBRA_TRY(const surf::Surface wide, surf::Surface::cylinder(up, 2.0, {{-0.5 * pi, 0}, {1.5 * pi, 8}}));
+  scene::Picture picture;
+  picture.panels.push_back(
+      panel("z = sin x cos y, cut by planes",
+            {lines("levels", stroke(blue, 0.9), levels), lines("level 0", stroke(orange, 1.2), crossing),
+             markers("the plane touches", dots(red, 5.0), touches), markers("curves cross", dots(green, 5.0), crosses)},
+            0.3, {"u = x [m]", "v = y [m]"}));
+  std::vector<scene::Layer> pipes;
+  for (const auto& [radius, color] : {std::pair{1.0, blue}, std::pair{1.6, green}, std::pair{2.0, orange}}) {
+    DOBRA_TRY(const surf::Surface other, surf::Surface::cylinder(across, radius, {{0, 0}, {2.0 * pi, 8}}));
+    DOBRA_TRY(const surf::SharedSet common, surf::intersect_surfaces(wide, other));
+    std::vector<geom::Polyline> curves;
+    for (const surf::SharedCurve& curve : common.curves) curves.push_back(in_chart(curve));
+    pipes.push_back(lines(fmt::format("radius {:.1f} m", radius), stroke(color, 1.2), std::move(curves)));
+  }
+  picture.panels.push_back(
+      panel("A pipe of radius 2 m and others across it", std::move(pipes), 0.3, {"u [rad]", "v [m]"}));
+  return picture;
+}
+
 }  // namespace
 
-std::vector<Figure> surf_figures() { return {{"surfaces", surfaces, 760.0}}; }
+std::vector<Figure> surf_figures() {
+  return {{"surfaces", surfaces, 760.0}, {"surface_search", surface_search, 760.0}};
+}
 
 }  // namespace dobra::figures

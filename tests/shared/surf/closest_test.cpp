@@ -20,14 +20,6 @@ using geom::Point3;
 using geom::Vector3;
 using namespace test;
 
-struct Chance {
-  std::mt19937 random;
-  double number(double low, double high) {
-    return low + (high - low) * static_cast<double>(random() % 1000003) / 1000002.0;
-  }
-  Point of(const Box& box) { return {number(box.low.x, box.high.x), number(box.low.y, box.high.y)}; }
-};
-
 TEST(Hull, HoldsTheSurfaceOverItsCellAndIsTightOverSmallOnes) {
   Chance chance{std::mt19937(6)};
   for (const auto& [name, surface] : all_kinds()) {

@@ -11,6 +11,15 @@ namespace dobra::surf::test {
 
 constexpr double pi = std::numbers::pi;
 
+struct Chance {
+  std::mt19937 random;
+  double number(double low, double high) {
+    return std::lerp(low, high, static_cast<double>(random() % 1000003) / 1000002.0);
+  }
+  double operator()(double low, double high) { return number(low, high); }
+  geom::Point of(const geom::Box& box) { return {number(box.low.x, box.high.x), number(box.low.y, box.high.y)}; }
+};
+
 /// Not at the origin, not along the axes.
 inline Frame tilted() {
   const geom::Vector3 z = geom::normalised(geom::Vector3{1.0, -2.0, 3.0});
