@@ -21,6 +21,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
   static const std::map<std::string, std::set<std::string>> table = {
       {"shared/base", {}},
       {"shared/geom", {"shared/base"}},
+      {"shared/surf", {"shared/geom"}},
       {"shared/topo", {"shared/geom"}},
       {"shared/offset/types", {"shared/geom"}},
       {"shared/offset/kernel", {"shared/offset/types"}},

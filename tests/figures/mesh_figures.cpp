@@ -94,7 +94,8 @@ scene::Mesh leaf_sizes(const mesh::sizing::Quadtree& tree, const scene::Scale& s
     for (const Point p : outline(tree.box(leaf)).points) made.points.push_back(p);
     made.triangles.push_back({first, first + 1, first + 2});
     made.triangles.push_back({first, first + 2, first + 3});
-    made.values.insert(made.values.end(), 2, tree.side(leaf));
+    made.values.push_back(tree.side(leaf));
+    made.values.push_back(tree.side(leaf));
   }
   return made;
 }

@@ -1,0 +1,64 @@
+#pragma once
+// Curves in space as values: the borders and profiles of surfaces. Page: docs/algorithms/surfaces.md.
+
+#include <memory>
+#include <vector>
+
+#include "shared/geom/point3.h"
+#include "shared/surf/spline_basis.h"
+
+namespace dobra::surf {
+
+/// Cheap to copy; any number of threads may ask at once.
+class Curve {
+ public:
+  /// A point with the derivatives by the parameter.
+  struct Jet {
+    geom::Point3 at;
+    geom::Vector3 first, second;
+  };
+
+  /// From parameter 0 to 1. @error NotFinite; DegenerateCurve if the ends are the same.
+  static base::Result<Curve> line(geom::Point3 from, geom::Point3 to);
+  /// A part of a circle: centre + cos t * along + sin t * across, t in radians.
+  /// @param along, across  of one length, the radius, at a right angle (to 1e-9 of it).
+  /// @error NotFinite; DegenerateCurve: no radius, axes that are not so, an angle of zero or more than a full turn.
+  static base::Result<Curve> arc(geom::Point3 centre, geom::Vector3 along, geom::Vector3 across, double from,
+                                 double to);
+  /// A rational B-spline; all weights 1 where none are given.
+  /// @error those of SplineBasis::make; InvalidOption: not a point (or weight) for each function, a weight that is not
+  ///        positive; NotFinite. Each names the number from 1. DegenerateCurve: it is torn at a knot that stands
+  ///        degree + 1 times (points on both sides further apart than 1e-12 of the box of all), with the gap.
+  static base::Result<Curve> nurbs(std::size_t degree, std::vector<double> knots, std::vector<geom::Point3> points,
+                                   std::vector<double> weights = {});
+  /// A Bezier curve, plain or rational, on 0 .. 1. @error as nurbs
+  static base::Result<Curve> bezier(std::vector<geom::Point3> points, std::vector<double> weights = {});
+
+  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] double high() const { return high_; }
+  /// Parameters between which it is smooth, both ends among them.
+  [[nodiscard]] const std::vector<double>& breaks() const { return breaks_; }
+  [[nodiscard]] Jet jet(double t) const { return shape_->jet(t); }
+  [[nodiscard]] geom::Point3 at(double t) const { return jet(t).at; }
+  /// Between two parameters, m, to 1e-12 of itself where it has no cusp.
+  [[nodiscard]] double length(double from, double to) const;
+
+  /// No second derivative between two parameters is longer, m.
+  [[nodiscard]] double bend(double from, double to) const { return shape_->bend(from, to); }
+
+  /// A kind of curve.
+  struct Shape {
+    virtual ~Shape() = default;
+    [[nodiscard]] virtual Jet jet(double t) const = 0;
+    [[nodiscard]] virtual double bend(double from, double to) const = 0;
+  };
+
+ private:
+  Curve(std::shared_ptr<const Shape> shape, std::vector<double> breaks)
+      : shape_(std::move(shape)), low_(breaks.front()), high_(breaks.back()), breaks_(std::move(breaks)) {}
+  std::shared_ptr<const Shape> shape_;
+  double low_, high_;
+  std::vector<double> breaks_;
+};
+
+}  // namespace dobra::surf

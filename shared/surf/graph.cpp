@@ -1,0 +1,212 @@
+// Graphs of formulas.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "shared/base/formula.h"
+#include "shared/surf/surface.h"
+
+namespace dobra::surf {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Box;
+using geom::Point;
+
+namespace {
+
+struct GraphShape : Surface::Shape {
+  base::Formula formula;
+  Box chart;
+  double step = 2e-3;  ///< The step of the differences, part of the chart.
+  GraphShape(base::Formula height, const Box& where) : formula(std::move(height)), chart(where) {}
+
+  [[nodiscard]] double height(double x, double y) const { return formula.at(std::array{x, y}); }
+  void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
+    for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet(uv[i]);
+  }
+
+  /// Values at nine places of a line, -4 .. 4 steps from where the derivatives are wanted, or to one side of it where
+  /// the formula ends.
+  struct Stencil {
+    std::array<double, 9> first{}, second{};
+  };
+  /// Weights at step `from` .. `from` + 8, by Fornberg's recurrence [fornberg1988].
+  static Stencil stencil(int from) {
+    std::array<std::array<double, 3>, 9> c{};
+    double c1 = 1.0;
+    double c4 = from;
+    c[0][0] = 1.0;
+    for (int i = 1; i < 9; ++i) {
+      const int most = std::min(i, 2);
+      double c2 = 1.0;
+      const double c5 = c4;
+      c4 = from + i;
+      for (int j = 0; j < i; ++j) {
+        const double c3 = i - j;
+        c2 *= c3;
+        if (j == i - 1) {
+          for (int k = most; k > 0; --k) c[i][k] = c1 * (k * c[i - 1][k - 1] - c5 * c[i - 1][k]) / c2;
+          c[i][0] = -c1 * c5 * c[i - 1][0] / c2;
+        }
+        for (int k = most; k > 0; --k) c[j][k] = (c4 * c[j][k] - k * c[j][k - 1]) / c3;
+        c[j][0] = c4 * c[j][0] / c3;
+      }
+      c1 = c2;
+    }
+    Stencil made;
+    for (std::size_t i = 0; i < 9; ++i) made.first[i] = c[i][1], made.second[i] = c[i][2];
+    return made;
+  }
+
+  /// The stencil whose places lie within the range, from which step on.
+  static std::pair<const Stencil&, int> stencil_at(double at, double low, double high, double h) {
+    static const std::array<Stencil, 9> stencils = [] {
+      std::array<Stencil, 9> made;
+      for (int from = -8; from <= 0; ++from) made[static_cast<std::size_t>(from + 8)] = stencil(from);
+      return made;
+    }();
+    int from = -4;
+    if (at - 4.0 * h < low) from = -static_cast<int>(std::floor((at - low) / h + 1e-9));
+    if (at + 4.0 * h > high) from = static_cast<int>(std::floor((high - at) / h + 1e-9)) - 8;
+    from = std::clamp(from, -8, 0);
+    return {stencils[static_cast<std::size_t>(from + 8)], from};
+  }
+
+  /// Second derivatives by a step, by the chart's width and height: (zxx, zyy).
+  [[nodiscard]] std::array<double, 2> second_by(Point uv, double by) const {
+    const double hx = by * chart.width(), hy = by * chart.height();
+    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
+    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
+    double zxx = 0.0, zyy = 0.0;
+    for (int i = 0; i < 9; ++i) {
+      zxx += across.second[static_cast<std::size_t>(i)] * height(uv.x + (left + i) * hx, uv.y);
+      zyy += up.second[static_cast<std::size_t>(i)] * height(uv.x, uv.y + (below + i) * hy);
+    }
+    return {zxx / (by * by), zyy / (by * by)};
+  }
+  /// Takes the step whose second derivatives are nearest to those of half of it, over the chart: a long one leaves
+  /// terms out, a short one is all rounding.
+  void choose_step() {
+    constexpr int places = 13;
+    double least = std::numeric_limits<double>::infinity(), best = step;
+    for (double by = step; by > 2e-5; by *= 0.5) {
+      double apart = 0.0;
+      for (int i = 0; i < places * places; ++i) {
+        const Point at{geom::interpolate(chart.low, chart.high, (i / places + 0.37) / places).x,
+                       geom::interpolate(chart.low, chart.high, (i % places + 0.43) / places).y};
+        const std::array<double, 2> whole = second_by(at, by), half = second_by(at, 0.5 * by);
+        apart = std::max({apart, std::abs(whole[0] - half[0]), std::abs(whole[1] - half[1])});
+      }
+      if (apart < 0.7 * least) least = apart, best = by;
+    }
+    step = best;
+  }
+
+  [[nodiscard]] Jet jet(Point uv) const {
+    const double hx = step * chart.width(), hy = step * chart.height();
+    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
+    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
+    double zx = 0.0, zxx = 0.0, zy = 0.0, zyy = 0.0, zxy = 0.0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double z = height(uv.x + (left + static_cast<int>(i)) * hx, uv.y);
+      zx += across.first[i] * z;
+      zxx += across.second[i] * z;
+      const double w = height(uv.x, uv.y + (below + static_cast<int>(i)) * hy);
+      zy += up.first[i] * w;
+      zyy += up.second[i] * w;
+      for (std::size_t j = 0; j < 9; ++j)
+        zxy += across.first[i] * up.first[j] *
+               height(uv.x + (left + static_cast<int>(i)) * hx, uv.y + (below + static_cast<int>(j)) * hy);
+    }
+    return {{uv.x, uv.y, height(uv.x, uv.y)}, {1.0, 0.0, zx / hx},         {0.0, 1.0, zy / hy},
+            {0.0, 0.0, zxx / (hx * hx)},      {0.0, 0.0, zxy / (hx * hy)}, {0.0, 0.0, zyy / (hy * hy)}};
+  }
+
+  /// Of the second derivatives at places `gaps` x `gaps` and then of blocks of 2 x 2, 4 x 4 ... of them the greatest.
+  static constexpr int gaps = 256;
+  std::vector<std::vector<Bend>> levels;
+  void look_at_bends() {
+    const double hx = chart.width() / gaps, hy = chart.height() / gaps;
+    std::vector<double> z;
+    for (int i = 0; i <= gaps; ++i) {
+      for (int j = 0; j <= gaps; ++j)
+        z.push_back(height(std::lerp(chart.low.x, chart.high.x, static_cast<double>(i) / gaps),
+                           std::lerp(chart.low.y, chart.high.y, static_cast<double>(j) / gaps)));
+    }
+    const auto at = [&](int i, int j) { return z[static_cast<std::size_t>(i * (gaps + 1) + j)]; };
+    std::vector<Bend> cells(gaps * gaps);
+    constexpr double safe = 1.5;
+    for (int i = 1; i < gaps; ++i) {
+      for (int j = 1; j < gaps; ++j) {
+        const Bend here{safe * std::abs(at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)) / (hx * hx),
+                        safe * std::abs(at(i + 1, j + 1) - at(i - 1, j + 1) - at(i + 1, j - 1) + at(i - 1, j - 1)) /
+                            (4.0 * hx * hy),
+                        safe * std::abs(at(i, j - 1) - 2.0 * at(i, j) + at(i, j + 1)) / (hy * hy)};
+        // A cell knows what its neighbours know: the border's have no second difference of their own.
+        for (int k = std::max(0, i - 2); k <= std::min(gaps - 1, i + 1); ++k) {
+          for (int l = std::max(0, j - 2); l <= std::min(gaps - 1, j + 1); ++l)
+            take(cells[static_cast<std::size_t>(k * gaps + l)], here);
+        }
+      }
+    }
+    levels.push_back(std::move(cells));
+    for (int n = gaps / 2; n > 0; n /= 2) {
+      std::vector<Bend> coarse(static_cast<std::size_t>(n * n));
+      for (int i = 0; i < 2 * n; ++i) {
+        for (int j = 0; j < 2 * n; ++j)
+          take(coarse[static_cast<std::size_t>((i / 2) * n + j / 2)],
+               levels.back()[static_cast<std::size_t>(i * 2 * n + j)]);
+      }
+      levels.push_back(std::move(coarse));
+    }
+  }
+  static void take(Bend& most, const Bend& other) {
+    most = {std::max(most.uu, other.uu), std::max(most.uv, other.uv), std::max(most.vv, other.vv)};
+  }
+  [[nodiscard]] Bend bend(const Box& part) const override {
+    const double across = std::max(part.width() / chart.width(), part.height() / chart.height());
+    std::size_t level = 0;
+    while (level + 1 < levels.size() && across * gaps > static_cast<double>(std::size_t{1} << level)) ++level;
+    const int n = gaps >> level;
+    const auto cell = [n](double at, double low, double high) {
+      return std::clamp(static_cast<int>((at - low) / (high - low) * n), 0, n - 1);
+    };
+    Bend most;
+    for (int i = cell(part.low.x, chart.low.x, chart.high.x); i <= cell(part.high.x, chart.low.x, chart.high.x); ++i) {
+      for (int j = cell(part.low.y, chart.low.y, chart.high.y); j <= cell(part.high.y, chart.low.y, chart.high.y); ++j)
+        take(most, levels[level][static_cast<std::size_t>(i * n + j)]);
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+base::Result<Surface> Surface::graph(const std::string& formula, const Box& chart) {
+  const std::array<std::string, 2> names{"x", "y"};
+  DOBRA_TRY(base::Formula height, base::Formula::make(formula, names));
+  const auto shape = std::make_shared<GraphShape>(std::move(height), chart);
+  constexpr int parts = 32;
+  for (int i = 0; i <= parts; ++i) {
+    for (int j = 0; j <= parts; ++j) {
+      const Point at = {geom::interpolate(chart.low, chart.high, i / static_cast<double>(parts)).x,
+                        geom::interpolate(chart.low, chart.high, j / static_cast<double>(parts)).y};
+      if (geom::is_finite(at) && !std::isfinite(shape->height(at.x, at.y)))
+        return Error{ErrorCode::OutsideDomain,
+                     fmt::format("the formula '{}' has no value at x = {}, y = {}", formula, at.x, at.y),
+                     base::Place{.item = "graph", .x = at.x, .y = at.y}};
+    }
+  }
+  if (geom::is_finite(chart.low) && geom::is_finite(chart.high) && !chart.empty()) {
+    shape->choose_step();
+    shape->look_at_bends();
+  }
+  return make(shape, chart);
+}
+
+}  // namespace dobra::surf
