@@ -1,7 +1,7 @@
 #pragma once
 // Boundary models in OCCT's text format (.brep), versions 1 to 3, as the file has them: geometry in tables, shapes that
 // use shapes. What is of no use to a mesher (polygons, triangulations, regularities) is read over and counted.
-// Source: [occt_brep].
+// Source: [opencascade2021].
 
 #include <cstdint>
 #include <memory>
