@@ -57,7 +57,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/gui/frames", {"shared/base"}},
       {"shared/gui/heard", {"shared/base"}},
       {"shared/gui/numbers", {"shared/scenario"}},
-      {"shared/gui/labels", {"shared/base"}},
+      {"shared/gui/labels", {"shared/gui/theme"}},
       {"shared/gui/mending", {"shared/gui/theme"}},
       {"shared/gui/view", {"shared/canvas"}},
       {"shared/gui/actions", {"shared/gui/theme"}},

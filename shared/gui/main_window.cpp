@@ -20,16 +20,16 @@
 #include "shared/gui/canvas.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/draw_bar.h"
-#include "shared/gui/error_bar.h"
 #include "shared/gui/heard/boxes.h"
 #include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/taken_in_bar.h"
+#include "shared/gui/labels/status_line.h"
 #include "shared/gui/layer_tree.h"
+#include "shared/gui/mending/error_bar.h"
 #include "shared/gui/mending/page.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
-#include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
@@ -84,7 +84,7 @@ void MainWindow::make_center() {
   auto* column = new QVBoxLayout(center);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  error_bar_ = new ErrorBar(center);
+  error_bar_ = new mending::ErrorBar(center);
   view_ = new VtkWidget(center);
   column->addWidget(error_bar_);
   make_taken_in_bar(*column);
@@ -123,7 +123,7 @@ void MainWindow::make_center() {
   connect(welcome_, &welcome::Page::recent_asked, this, [this](const QString& file) {
     if (may_discard()) open_asking(to_path(file));
   });
-  connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
+  connect(error_bar_, &mending::ErrorBar::show_asked, this, &MainWindow::go_to_error);
   connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { status_->show_place(where); });
   canvas_ = new Canvas(session_, *view_, this);
   connect(view_, &VtkWidget::picked, canvas_, &Canvas::tell_pick);
@@ -295,7 +295,7 @@ void MainWindow::show_player() {
 }
 
 void MainWindow::make_status_bar() {
-  status_ = new StatusLine(this);
+  status_ = new labels::StatusLine(this);
   setStatusBar(status_);
   exaggeration_ = new view::ExaggerationBox(status_);
   status_->addPermanentWidget(exaggeration_);
@@ -303,7 +303,7 @@ void MainWindow::make_status_bar() {
   connect(exaggeration_, &view::ExaggerationBox::refused, canvas_, &Canvas::say);
   connect(view_, &VtkWidget::exaggerated, this,
           [this](double drawn) { exaggeration_->show_value(look_.exaggeration, drawn); });
-  connect(status_, &StatusLine::cancel_asked, this, [this] { session_.cancel(); });
+  connect(status_, &labels::StatusLine::cancel_asked, this, [this] { session_.cancel(); });
   canvas_->show_hint();
 }
 
@@ -486,7 +486,7 @@ void MainWindow::show_error(const base::Error& error) {
   const bool has_place = error.place && error.place->x && error.place->y;
   const QString said =
       of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step) : in_words(error);
-  error_bar_->say(said, of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
+  error_bar_->say(said, of_run || has_place ? mending::ErrorBar::CanShow::Yes : mending::ErrorBar::CanShow::No);
 }
 
 void MainWindow::mark_error() {

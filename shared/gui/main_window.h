@@ -28,11 +28,9 @@ class Palette;
 }
 class Canvas;
 class DrawBar;
-class ErrorBar;
 class LayerTree;
 class ParameterForm;
 class Results;
-class StatusLine;
 class VtkWidget;
 namespace importing {
 class TakenInBar;
@@ -43,9 +41,13 @@ class ExaggerationBox;
 namespace vertices {
 class VertexPanel;
 }
-namespace mending {
-class Page;
+namespace labels {
+class StatusLine;
 }
+namespace mending {
+class ErrorBar;
+class Page;
+}  // namespace mending
 namespace welcome {
 class Page;
 }
@@ -102,7 +104,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
   [[nodiscard]] vertices::VertexPanel& vertices() { return *vertices_; }
-  [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
+  [[nodiscard]] mending::ErrorBar& error_bar() { return *error_bar_; }
 
  protected:
   void childEvent(QChildEvent* event) override;
@@ -212,7 +214,7 @@ class MainWindow : public QMainWindow {
   Canvas* canvas_ = nullptr;
   DrawBar* draw_bar_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
-  ErrorBar* error_bar_ = nullptr;
+  mending::ErrorBar* error_bar_ = nullptr;
   importing::TakenInBar* taken_in_bar_ = nullptr;
   welcome::Page* welcome_ = nullptr;
   mending::Page* mending_ = nullptr;
@@ -222,7 +224,7 @@ class MainWindow : public QMainWindow {
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
   vertices::VertexPanel* vertices_ = nullptr;
-  StatusLine* status_ = nullptr;
+  labels::StatusLine* status_ = nullptr;
   view::Settings look_;
   view::ExaggerationBox* exaggeration_ = nullptr;
   documents::Shown shown_ = documents::Shown::Result;

@@ -18,10 +18,10 @@
 #include "shared/gui/canvas.h"
 #include "shared/gui/documents/copied.h"
 #include "shared/gui/draw_bar.h"
+#include "shared/gui/labels/status_line.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
-#include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 

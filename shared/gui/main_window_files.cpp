@@ -15,16 +15,16 @@
 #include <set>
 
 #include "shared/gui/documents/edit.h"
-#include "shared/gui/error_bar.h"
 #include "shared/gui/importing/file_filter.h"
 #include "shared/gui/importing/import_dialog.h"
 #include "shared/gui/importing/taken_in_bar.h"
+#include "shared/gui/labels/status_line.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/mending/error_bar.h"
 #include "shared/gui/mending/page.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
-#include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/gui/welcome/page.h"

@@ -16,9 +16,9 @@
 
 #include "shared/base/text.h"
 #include "shared/gui/documents/edit.h"
-#include "shared/gui/error_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/mending/error_bar.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"

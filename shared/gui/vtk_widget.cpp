@@ -3,41 +3,23 @@
 // device-independent pixels, just as Qt's mouse positions; only the size of the render window is in device pixels.
 #include "shared/gui/vtk_widget.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkOpenGLState.h>
-
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <QPainter>
 #include <algorithm>
 #include <cmath>
 
 #include "shared/base/check.h"
-#include "shared/canvas/entry.h"
 #include "shared/gui/text.h"
-#include "shared/render/vtk_scene.h"
+#include "shared/gui/vtk_widget_scene.h"
 
 namespace dobra::gui {
 
 namespace {
 
-constexpr double pick_reach = 8.0;       ///< Pixels round the cursor, as the tools reach.
-constexpr double zoom_a_notch = 1.2;     ///< Of the wheel: 15 degrees, 120 units.
-constexpr double pan_a_key = 0.1;        ///< Of the plot.
 constexpr int at_rest = 200;             ///< Milliseconds after the last movement of the view.
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
 constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
-constexpr double slow_frame = 25.0;   ///< Milliseconds: where the layers take more, the view moves their last frame.
-constexpr std::size_t heavy = 60000;  ///< Cells that are drawn at once; a frame of more is drawn in parts.
-constexpr std::size_t first_part = 25000;
-constexpr std::size_t least_part = 4000;
-constexpr double part_ms = 40.0;  ///< That a part is to take.
-constexpr int most_unseen = 2;    ///< Pictures that follow each other too quickly for parts: the next is drawn at once.
+constexpr double slow_frame = 25.0;  ///< Milliseconds: where the layers take more, the view moves their last frame.
 const scene::Color marker_color{0xd0, 0x10, 0x10};
 
 /// The panel with its extent fixed to that of all its layers: hiding one does not move the others.
@@ -58,56 +40,9 @@ scene::Layer marker_layer(const std::string& key, geom::Point at, const scene::C
   return layer;
 }
 
-/// "x" of "x [m]".
-QString axis_name(const std::string& title) { return QString::fromStdString(title.substr(0, title.find(" ["))); }
-
-/// "m" of "x [m]"; empty without one.
-QString axis_unit(const std::string& title) {
-  const std::size_t open = title.rfind('[');
-  const bool has_one = open != std::string::npos && title.ends_with(']');
-  return has_one ? QString::fromStdString(title.substr(open + 1, title.size() - open - 2)) : QString();
-}
-
-QRect rect_of(const QSize& size) { return {QPoint(0, 0), size}; }
-
 geom::Point page_point(QPointF pixel) { return {pixel.x(), pixel.y()}; }
 
 }  // namespace
-
-struct VtkWidget::Scene {
-  explicit Scene(VtkWidget& owner) : widget(owner), scene(*window) {
-    observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* self, void*) {
-      // Only if it is not: QOpenGLWidget::makeCurrent binds the widget's framebuffer, behind VTK's back while it draws.
-      VtkWidget& own = static_cast<Scene*>(self)->widget;
-      if (QOpenGLContext::currentContext() != own.context()) own.makeCurrent();
-    });
-    observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* self, void* answer) {
-      const QOpenGLContext* own = static_cast<Scene*>(self)->widget.context();
-      *static_cast<bool*>(answer) = own != nullptr && QOpenGLContext::currentContext() == own;
-    });
-    window->SetReadyForRendering(true);
-    window->SetOwnContext(0);
-    window->SetFrameBlitModeToBlitToCurrent();
-    window->OpenGLInitContext();
-  }
-  ~Scene() {
-    scene.release();
-    window->Finalize();
-  }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-
-  void observe(unsigned long event, void (*answer)(vtkObject*, unsigned long, void*, void*)) {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(answer);
-    command->SetClientData(this);
-    window->AddObserver(event, command);
-  }
-
-  VtkWidget& widget;
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  render::VtkScene scene;
-};
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setMouseTracking(true);
@@ -120,7 +55,6 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(at_rest);
   connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
-  part_cost_ = first_part;
   connect(&parts_, &QTimer::timeout, this, &VtkWidget::draw_part);
   connect(&bench_, &frames::Bench::arrived, this, [this] {
     if (!scene_) return;
@@ -173,119 +107,6 @@ void VtkWidget::relayout() {
   const double ratio = devicePixelRatioF();
   scene_->scene.resize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)),
                        ratio);
-}
-
-void VtkWidget::paintGL() {
-  if (!scene_) return;
-  if (size().isEmpty()) return;
-  if (!shown_ || shown_->size() != pixels()) is_drawn_ = false;
-  if (!is_drawn_ && (scene_->scene.holds_frame() || !goes_in_parts())) draw_at_once();
-  // Until the parts are there, what was drawn last stays.
-  if (lacks_full_frame() && !parts_.isActive() && !rest_.isActive() && !scene_->scene.is_waiting()) begin_parts();
-  QOpenGLFunctions* gl = context()->functions();
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glDisable(GL_SCISSOR_TEST);
-  if (shown_)
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, rect_of(pixels()), shown_.get(), rect_of(shown_->size()));
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  // Opaque, or the desktop shows through where VTK left transparency behind.
-  const scene::Color& paper = colors().ground.paper;
-  gl->glColorMask(shown_ ? GL_FALSE : GL_TRUE, shown_ ? GL_FALSE : GL_TRUE, shown_ ? GL_FALSE : GL_TRUE, GL_TRUE);
-  gl->glClearColor(paper.red / 255.0F, paper.green / 255.0F, paper.blue / 255.0F, 1.0F);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (!hasFocus()) return;
-  QPainter painter(this);
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
-  painter.drawRect(rect().adjusted(1, 1, -1, -1));
-}
-
-void VtkWidget::redraw() {
-  is_drawn_ = false;
-  parts_.stop();
-  if (scene_ && scene_->scene.draws_parts()) {
-    makeCurrent();
-    scene_->scene.end_parts(render::VtkScene::Parts::Unfinished);
-    doneCurrent();
-  }
-  update();
-}
-
-std::size_t VtkWidget::arrangements() const { return scene_ ? scene_->scene.arrangements() : 0; }
-
-QSize VtkWidget::pixels() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
-
-bool VtkWidget::goes_in_parts() const {
-  return scene_->scene.cost() > heavy && (unseen_ <= most_unseen || scene_->scene.is_waiting());
-}
-
-bool VtkWidget::lacks_full_frame() const { return goes_in_parts() && (!is_drawn_ || scene_->scene.holds_frame()); }
-
-/// @pre the context is current
-void VtkWidget::render_into(std::unique_ptr<QOpenGLFramebufferObject>& frame) {
-  if (!frame || frame->size() != pixels()) frame = std::make_unique<QOpenGLFramebufferObject>(pixels());
-  frame->bind();
-  vtkGenericOpenGLRenderWindow& window = *scene_->window;
-  window.PushState();
-  window.OpenGLInitState();
-  window.SetIsCurrent(true);
-  window.SetFrameBlitModeToBlitToCurrent();
-  window.Render();
-  window.PopState();
-}
-
-void VtkWidget::draw_at_once() {
-  const auto begin = frames::Meter::Clock::now();
-  render_into(shown_);
-  is_drawn_ = true;
-  if (!scene_->scene.holds_frame()) {
-    context()->functions()->glFinish();  // what the layers cost is known once they are drawn
-    full_frame_ms_ = frames::Meter::milliseconds_since(begin);
-    frame_is_true_ = !scene_->scene.is_waiting();
-    if (frame_is_true_) unseen_ = 0;
-    if (frame_is_true_) meter_.add_full_frame(full_frame_ms_, full_frame_ms_);
-  }
-  meter_.add(frames::Part::Draw, frames::Meter::milliseconds_since(begin));
-}
-
-void VtkWidget::begin_parts() {
-  scene_->scene.begin_parts();
-  parts_ms_ = 0.0;
-  longest_part_ms_ = 0.0;
-  parts_began_ = frames::Meter::Clock::now();
-  meter_.begin_full_frame();
-  parts_.start(0);
-}
-
-/// Between two parts the window hears of whatever else there is.
-void VtkWidget::draw_part() {
-  if (!scene_ || !scene_->scene.draws_parts()) return parts_.stop();
-  makeCurrent();
-  const auto begin = frames::Meter::Clock::now();
-  const bool last = scene_->scene.next_part(part_cost_);
-  render_into(drawing_);
-  context()->functions()->glFinish();
-  const double took = frames::Meter::milliseconds_since(begin);
-  parts_ms_ += took;
-  longest_part_ms_ = std::max(longest_part_ms_, took);
-  const double factor = std::clamp(part_ms / std::max(took, 1.0), 0.5, 1.5);
-  part_cost_ = std::max(least_part, static_cast<std::size_t>(factor * static_cast<double>(part_cost_)));
-  if (last) end_parts();
-  doneCurrent();
-}
-
-void VtkWidget::end_parts() {
-  parts_.stop();
-  scene_->scene.end_parts(render::VtkScene::Parts::Finished);
-  std::swap(shown_, drawing_);
-  drawing_.reset();
-  is_drawn_ = true;
-  frame_is_true_ = !scene_->scene.is_waiting();
-  full_frame_ms_ = parts_ms_;
-  unseen_ = 0;
-  meter_.add(frames::Part::Draw, parts_ms_);
-  meter_.add_full_frame(frames::Meter::milliseconds_since(parts_began_), longest_part_ms_);
-  update();
 }
 
 void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
@@ -671,154 +492,5 @@ QPointF VtkWidget::pixel_of(std::size_t panel, geom::Point at) const {
   const geom::Point page = scene_->scene.layout().panels[panel].transform.to_page(at);
   return {page.x, page.y};
 }
-
-void VtkWidget::pick(QPointF pixel) {
-  const std::optional<Spot> spot = spot_at(pixel);
-  if (!spot) return;
-  const scene::Panel& panel = picture_.panels[spot->panel];
-  const double scale = scene_->scene.views()[spot->panel].world_per_point;
-  const std::optional<scene::Pick> found = scene::pick(panel, spot->at, pick_reach * scale);
-  if (!found) {
-    emit picked(text("Nothing here."));
-    return;
-  }
-  const auto is_it = [&](const scene::Layer& layer) { return layer.key == found->layer; };
-  const auto layer = std::find_if(panel.layers.begin(), panel.layers.end(), is_it);
-  const std::string title = layer != panel.layers.end() && !layer->title.empty() ? layer->title : found->layer;
-  emit picked(text("%1, item %2").arg(QString::fromStdString(title)).arg(found->id));
-}
-
-void VtkWidget::mousePressEvent(QMouseEvent* event) {
-  const bool hand = hand_ == Hand::Ready || hand_tool_;
-  const bool pans = event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && hand);
-  if (pans && dragging_ == Qt::NoButton) {
-    dragging_ = event->button();
-    drag_ = event->position();
-    show_cursor();
-  } else if (event->button() == Qt::LeftButton) {
-    pick(event->position());
-  }
-}
-
-void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
-  if (dragging_ != Qt::NoButton) {
-    pan(drag_, event->position() - drag_);
-    drag_ = event->position();
-  }
-  const std::optional<Spot> spot = spot_at(event->position());
-  if (!spot) {
-    emit cursor_moved({});
-    return;
-  }
-  const scene::Panel& panel = picture_.panels[spot->panel];
-  const double scale = scene_->scene.views()[spot->panel].world_per_point;
-  const double unit = panel.axes.unit;
-  // As many decimals as a pixel can tell apart.
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale / unit))), 0, 12);
-  const auto number = [&](double value) {
-    return QString::fromStdString(
-        canvas::with_decimal_mark(QString::number(value / unit, 'f', decimals).toStdString()));
-  };
-  emit cursor_moved(QString("%1 = %2   %3 = %4 %5")
-                        .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title),
-                             number(spot->at.y), axis_unit(panel.axes.y_title))
-                        .trimmed());
-}
-
-void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != dragging_) return;
-  dragging_ = Qt::NoButton;
-  show_cursor();
-}
-
-void VtkWidget::show_cursor() {
-  if (dragging_ != Qt::NoButton) {
-    setCursor(Qt::ClosedHandCursor);
-  } else if (hand_ == Hand::Ready || hand_tool_) {
-    setCursor(Qt::OpenHandCursor);
-  } else {
-    setCursor(tool_cursor_);
-  }
-}
-
-void VtkWidget::set_hand(bool on) {
-  hand_tool_ = on;
-  show_cursor();
-}
-
-void VtkWidget::set_tool_cursor(const QCursor& cursor) {
-  tool_cursor_ = cursor;
-  show_cursor();
-}
-
-void VtkWidget::keyPressEvent(QKeyEvent* event) {
-  const QPointF middle(0.5 * width(), 0.5 * height());
-  switch (event->key()) {
-    case Qt::Key_Space:
-      hand_ = Hand::Ready;
-      return show_cursor();
-    case Qt::Key_Left:
-      return pan_by_key(-1, 0);
-    case Qt::Key_Right:
-      return pan_by_key(1, 0);
-    case Qt::Key_Up:
-      return pan_by_key(0, 1);
-    case Qt::Key_Down:
-      return pan_by_key(0, -1);
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      return zoom(zoom_a_notch, middle);
-    case Qt::Key_Minus:
-      return zoom(1.0 / zoom_a_notch, middle);
-    case Qt::Key_Home:
-      return fit();
-    default:
-      QOpenGLWidget::keyPressEvent(event);
-  }
-}
-
-void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Space) return QOpenGLWidget::keyReleaseEvent(event);
-  if (event->isAutoRepeat()) return;
-  hand_ = Hand::Away;
-  show_cursor();
-}
-
-void VtkWidget::focusInEvent(QFocusEvent* event) {
-  QOpenGLWidget::focusInEvent(event);
-  update();
-}
-
-void VtkWidget::focusOutEvent(QFocusEvent* event) {
-  hand_ = Hand::Away;
-  show_cursor();
-  QOpenGLWidget::focusOutEvent(event);
-  update();
-}
-
-/// The view moves over the model, so the model moves the other way. Each panel pans by a part of its own.
-void VtkWidget::pan_by_key(int right, int up) {
-  if (!scene_) return;
-  remember(view::Move::Glide);
-  const std::vector<scene::View> views = scene_->scene.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const geom::Box& plot = scene_->scene.layout().panels[i].plot;
-    const geom::Vector by{-pan_a_key * right * plot.width(), pan_a_key * up * plot.height()};
-    views_[i] = scene::pan(views[i], by, picture_.panels[i].vertical_exaggeration);
-  }
-  move_views();
-}
-
-void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::MiddleButton) fit();
-}
-
-void VtkWidget::wheelEvent(QWheelEvent* event) {
-  const double notches = event->angleDelta().y() / 120.0;
-  if (notches != 0.0) zoom(std::pow(zoom_a_notch, notches), event->position());
-  event->accept();
-}
-
-void VtkWidget::leaveEvent(QEvent*) { emit cursor_moved({}); }
 
 }  // namespace dobra::gui

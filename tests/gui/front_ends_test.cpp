@@ -6,7 +6,7 @@
 #include <QTimer>
 
 #include "shared/gui/draw_bar.h"
-#include "shared/gui/error_bar.h"
+#include "shared/gui/mending/error_bar.h"
 #include "shared/io/file.h"
 #include "shared/scenario/entries.h"
 #include "shared/scenario/runner.h"

@@ -13,8 +13,8 @@
 
 #include "shared/gui/actions/palette.h"
 #include "shared/gui/documents/edit.h"
-#include "shared/gui/error_bar.h"
 #include "shared/gui/importing/import_dialog.h"
+#include "shared/gui/mending/error_bar.h"
 #include "tests/gui/program_window.h"
 #include "tests/shared/gui/brazilian.h"
 

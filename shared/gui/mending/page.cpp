@@ -1,7 +1,6 @@
 #include "shared/gui/mending/page.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -12,15 +11,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "shared/gui/mending/words.h"
 #include "shared/gui/theme/colors.h"
 
 namespace dobra::gui::mending {
-
-namespace {
-
-QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
-
-}  // namespace
 
 Page::Page(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), message_(new QLabel(this)), edit_(new QPlainTextEdit(this)) {

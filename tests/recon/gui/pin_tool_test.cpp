@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "shared/gui/documents/edit.h"
-#include "shared/gui/status_line.h"
+#include "shared/gui/labels/status_line.h"
 #include "tests/gui/program_window.h"
 
 namespace recon::gui {
@@ -27,7 +27,7 @@ std::string report(test::ProgramWindow& window) {
 /// What the mouse has told so far, as the status bar shows it.
 QString hint(test::ProgramWindow& window) {
   QString all;
-  for (const QLabel* each : window->findChild<dobra::gui::StatusLine*>()->findChildren<QLabel*>())
+  for (const QLabel* each : window->findChild<dobra::gui::labels::StatusLine*>()->findChildren<QLabel*>())
     all += each->text() + "\n";
   return all;
 }

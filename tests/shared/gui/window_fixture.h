@@ -7,9 +7,9 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "shared/gui/error_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/mending/error_bar.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/vtk_widget.h"
 #include "tests/shared/gui/fake_program.h"

@@ -180,7 +180,7 @@ TEST_F(ThemeTest, EveryWordOnTheScreenIsReadableAlsoWhatIsWrong) {
     settle();
     QTest::qWait(50);
     EXPECT_EQ(unreadable(window), QStringList()) << theme;
-    window.error_bar().say("the wave crosses itself; move it", ErrorBar::CanShow::Yes);
+    window.error_bar().say("the wave crosses itself; move it", mending::ErrorBar::CanShow::Yes);
     QTest::qWait(50);
     EXPECT_EQ(unreadable(window), QStringList()) << theme << " with an error";
     write("count", "4");

@@ -9,11 +9,9 @@ class QLabel;
 class QProgressBar;
 class QToolButton;
 
-namespace dobra::gui {
+namespace dobra::gui::labels {
 
-namespace labels {
 class Line;
-}
 
 class StatusLine : public QStatusBar {
   Q_OBJECT
@@ -37,13 +35,13 @@ class StatusLine : public QStatusBar {
   void cancel_asked();
 
  private:
-  labels::Line* hint_;
-  labels::Line* state_;
+  Line* hint_;
+  Line* state_;
   QLabel* place_;
-  labels::Line* dip_;
+  Line* dip_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   QTimer patience_;
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::labels

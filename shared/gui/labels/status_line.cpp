@@ -1,4 +1,4 @@
-#include "shared/gui/status_line.h"
+#include "shared/gui/labels/status_line.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "shared/gui/labels/labels.h"
-#include "shared/gui/text.h"
+#include "shared/gui/labels/words.h"
 #include "shared/gui/theme/icons.h"
 
-namespace dobra::gui {
+namespace dobra::gui::labels {
 
 namespace {
 
@@ -19,10 +19,10 @@ constexpr int worth_progress = 300;  ///< Milliseconds that runs take before the
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
-      hint_(new labels::Line(this)),
-      state_(new labels::Line(this)),
+      hint_(new Line(this)),
+      state_(new Line(this)),
       place_(new QLabel(this)),
-      dip_(new labels::Line(this)),
+      dip_(new Line(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
   hint_->setObjectName("status.hint");
@@ -77,4 +77,4 @@ void StatusLine::end_run() {
   cancel_->hide();
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::labels

@@ -9,7 +9,7 @@
 class QLabel;
 class QToolButton;
 
-namespace dobra::gui {
+namespace dobra::gui::mending {
 
 class ErrorBar : public QFrame {
   Q_OBJECT
@@ -35,4 +35,4 @@ class ErrorBar : public QFrame {
   QToolButton* show_;
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::mending

@@ -1,4 +1,4 @@
-#include "shared/gui/error_bar.h"
+#include "shared/gui/mending/error_bar.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -6,11 +6,11 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "shared/gui/text.h"
+#include "shared/gui/mending/words.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
 
-namespace dobra::gui {
+namespace dobra::gui::mending {
 
 ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), show_(new QToolButton(this)) {
   setObjectName("error_bar");
@@ -53,4 +53,4 @@ void ErrorBar::changeEvent(QEvent* event) {
   if (style != styleSheet()) setStyleSheet(style);
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::mending

@@ -1,0 +1,11 @@
+#pragma once
+// The words of this room, out of the one translation context of the window (shared/gui/text.h).
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace dobra::gui::labels {
+
+inline QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
+
+}  // namespace dobra::gui::labels
