@@ -19,7 +19,6 @@ constexpr int most_unseen = 2;    ///< Pictures that follow each other too quick
 
 QRect rect_of(const QSize& size) { return {QPoint(0, 0), size}; }
 
-
 }  // namespace
 
 void VtkWidget::paintGL() {

@@ -13,9 +13,9 @@ namespace dobra::gui {
 
 namespace {
 
-constexpr double pick_reach = 8.0;       ///< Pixels round the cursor, as the tools reach.
-constexpr double zoom_a_notch = 1.2;     ///< Of the wheel: 15 degrees, 120 units.
-constexpr double pan_a_key = 0.1;        ///< Of the plot.
+constexpr double pick_reach = 8.0;    ///< Pixels round the cursor, as the tools reach.
+constexpr double zoom_a_notch = 1.2;  ///< Of the wheel: 15 degrees, 120 units.
+constexpr double pan_a_key = 0.1;     ///< Of the plot.
 
 /// "x" of "x [m]".
 QString axis_name(const std::string& title) { return QString::fromStdString(title.substr(0, title.find(" ["))); }

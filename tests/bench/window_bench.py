@@ -59,10 +59,11 @@ def write_square(folder, triangles):
     return scenario
 
 
-def measured(command):
-    """Seconds, and megabytes of the largest process below it."""
+def measured(command, settings):
+    """Seconds, and megabytes of the largest process below it. The window begins as new: its settings go to a folder."""
     begin = time.time()
-    process = subprocess.Popen(['/usr/bin/time', '-f', 'peak %M', *command], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(['/usr/bin/time', '-f', 'peak %M', *command], stderr=subprocess.PIPE, text=True,
+                               env={**os.environ, 'XDG_CONFIG_HOME': settings})
     _, said = process.communicate()
     if process.returncode not in (0, 1):
         sys.exit(said)
@@ -89,8 +90,8 @@ def measure(bin_folder, what, folder):
         out.write(f'wait\nlongest-gap {folder}/open\nfull-frame {folder}/full_open\nreport {folder}/report.json\n'
                   f'{edit}\nwait\nlongest-gap {folder}/edit\nfull-frame {folder}/full_edit\n'
                   f'frames {folder}/frames\nwait\n{states}screenshot {folder}/shot.png\nquit\n')
-    line, line_mb = measured([binary, 'run', scenario, '--quiet', '--out', os.path.join(folder, 'out')])
-    window, window_mb = measured(['xvfb-run', '-a', '-s', '-screen 0 1280x800x24', binary, scenario, '--script', script])
+    line, line_mb = measured([binary, 'run', scenario, '--quiet', '--out', os.path.join(folder, 'out')], folder)
+    window, window_mb = measured(['xvfb-run', '-a', '-s', '-screen 0 1280x800x24', binary, scenario, '--script', script], folder)
 
     def said(name):
         path = os.path.join(folder, name)
