@@ -235,7 +235,7 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
                        text("there is no picture yet; run the scenario first").toStdString()};
   }
   scene::Picture shown = picture_shown();
-  view_->exaggerate(shown);
+  view_->make_alike(shown);
   return render::write_picture(scenario::titled(layers_->chosen(std::move(shown)), session_.document()), file);
 }
 

@@ -217,12 +217,17 @@ bool VtkWidget::fill_plots() {
   return true;
 }
 
-void VtkWidget::exaggerate(scene::Picture& picture) const {
+void VtkWidget::make_alike(scene::Picture& picture) const {
   for (scene::Panel& panel : picture.panels) {
     if (view::shows_lengths(panel)) panel.vertical_exaggeration *= settings_.exaggeration.value_or(filling_);
   }
   if (settings_.panels == view::Panels::Row) picture.arrangement = scene::Arrangement::Row;
   if (settings_.panels == view::Panels::Column) picture.arrangement = scene::Arrangement::Column;
+  if (!scene_ || all_is_seen()) return;
+  for (std::size_t i = 0; i < std::min(picture.panels.size(), panel_count()); ++i) {
+    const scene::PanelLayout& here = scene_->scene.layout().panels[i];
+    if (picture.panels[i].key == picture_.panels[i].key) picture.panels[i].extent = here.transform.to_world(here.plot);
+  }
 }
 
 bool VtkWidget::all_is_seen() const {

@@ -35,8 +35,8 @@ class VtkWidget : public QOpenGLWidget {
   /// How pictures are looked at, this one and those to come. Where all was seen, all is seen again.
   void set_settings(const view::Settings& settings);
 
-  /// Gives the panels of a picture the exaggeration and the arrangement that they have here.
-  void exaggerate(scene::Picture& picture) const;
+  /// Gives the panels of a picture the exaggeration, the arrangement and the part of the model that they show here.
+  void make_alike(scene::Picture& picture) const;
 
   /// What pictures are drawn on.
   void set_canvas(theme::Canvas canvas);

@@ -651,10 +651,31 @@ TEST_F(ViewTest, ASavedPictureIsExaggeratedAsTheOneThatIsSeen) {
   EXPECT_EQ(folder.read("true.svg").find("vertical exaggeration"), std::string::npos);
   scene::Picture picture = *window.session().outcome()->picture;
   exaggerate("5");
-  window.view().exaggerate(picture);
+  window.view().make_alike(picture);
   EXPECT_EQ(picture.panels[0].vertical_exaggeration, 5.0);
   ASSERT_TRUE(window.save_picture(folder / "high.svg").ok());
   EXPECT_NE(folder.read("high.svg"), folder.read("true.svg"));
+}
+
+TEST_F(ViewTest, ASavedPictureShowsThePartThatIsSeen) {
+  open_bumps();
+  const auto words = [&](const char* name) {
+    std::set<std::string> found;
+    EXPECT_TRUE(window.save_picture(folder / name).ok());
+    const std::string svg = folder.read(name);
+    for (std::size_t at = svg.find(">"); at != std::string::npos; at = svg.find(">", at + 1))
+      found.insert(svg.substr(at + 1, svg.find("<", at) - at - 1));
+    return found;
+  };
+  const std::set<std::string> all = words("all.svg");
+  EXPECT_TRUE(all.contains("1000"));
+  EXPECT_FALSE(all.contains("430"));
+  window.view().look_at(0, {{410.0, -20.0}, {490.0, 60.0}});
+  const std::set<std::string> part = words("part.svg");
+  EXPECT_FALSE(part.contains("1000"));
+  EXPECT_TRUE(part.contains("440"));
+  window.view().fit();
+  EXPECT_EQ(words("again.svg"), all);
 }
 
 }  // namespace
