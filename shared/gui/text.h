@@ -1,16 +1,13 @@
 #pragma once
-// Words of the window. All of them live in one translation context, "dobra", shared with base::translated, so that one
-// file resources/translations/dobra_LANGUAGE.ts holds everything a user reads.
+// Words of the window in the language of its user, and names of files.
 
-#include <QCoreApplication>
 #include <QString>
 #include <filesystem>
 #include <string>
 
-namespace dobra::gui {
+#include "shared/gui/words/words.h"
 
-/// The translation of an English source text; the text itself if there is none.
-inline QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
+namespace dobra::gui {
 
 inline QString from_path(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 inline std::filesystem::path to_path(const QString& path) { return {path.toStdString()}; }

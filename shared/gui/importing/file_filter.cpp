@@ -2,7 +2,7 @@
 
 #include <QStringList>
 
-#include "shared/gui/importing/words.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::importing {
 namespace {

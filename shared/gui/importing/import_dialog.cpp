@@ -24,8 +24,8 @@
 #include "shared/base/text.h"
 #include "shared/gui/importing/import_preview.h"
 #include "shared/gui/importing/line_list.h"
-#include "shared/gui/importing/words.h"
 #include "shared/gui/theme/colors.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::importing {
 

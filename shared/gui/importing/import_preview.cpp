@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "shared/geom/box.h"
-#include "shared/gui/importing/words.h"
 #include "shared/gui/theme/colors.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::importing {
 

@@ -4,7 +4,7 @@
 #include <QFont>
 #include <algorithm>
 
-#include "shared/gui/importing/words.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::importing {
 

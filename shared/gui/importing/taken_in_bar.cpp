@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <filesystem>
 
-#include "shared/gui/importing/words.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::importing {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "shared/gui/labels/labels.h"
-#include "shared/gui/labels/words.h"
 #include "shared/gui/theme/icons.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::labels {
 

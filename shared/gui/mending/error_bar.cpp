@@ -6,9 +6,9 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "shared/gui/mending/words.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::mending {
 

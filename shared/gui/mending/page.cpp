@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "shared/gui/mending/words.h"
 #include "shared/gui/theme/colors.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::mending {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "shared/base/text.h"
-#include "shared/gui/numbers/words.h"
+#include "shared/gui/words/words.h"
 #include "shared/scene/decimal_mark.h"
 
 namespace dobra::gui::numbers {

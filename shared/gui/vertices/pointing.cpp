@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "shared/base/text.h"
-#include "shared/gui/vertices/words.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::vertices {
 

@@ -17,7 +17,7 @@
 
 #include "shared/canvas/line_edit.h"
 #include "shared/gui/vertices/rows.h"
-#include "shared/gui/vertices/words.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::vertices {
 

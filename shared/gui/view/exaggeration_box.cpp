@@ -1,17 +1,15 @@
 #include "shared/gui/view/exaggeration_box.h"
 
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QWheelEvent>
 
 #include "shared/gui/view/settings.h"
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::view {
 
 namespace {
-
-QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
 
 /// With what it is before it: a screen reader has no other name of an editable box.
 QString shown_text(double exaggeration) { return text("VE %1").arg(exaggeration_text(exaggeration)); }

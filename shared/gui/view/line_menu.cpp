@@ -1,15 +1,15 @@
 #include "shared/gui/view/line_menu.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QMenu>
 #include <utility>
+
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::view {
 
 void show_line_menu(const QString& title, const std::set<LineCommand>& possible, QPoint global, QWidget* parent,
                     std::function<void(LineCommand)> chosen) {
-  const auto words = [](const char* source) { return QCoreApplication::translate("dobra", source); };
   auto* menu = new QMenu(parent);
   menu->setObjectName("line_menu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -20,16 +20,16 @@ void show_line_menu(const QString& title, const std::set<LineCommand>& possible,
     action->setEnabled(possible.contains(command));
     QObject::connect(action, &QAction::triggered, parent, [chosen, command] { chosen(command); });
   };
-  add("rename", words("Rename..."), LineCommand::Rename);
-  add("kind", words("Kind..."), LineCommand::Kind);
+  add("rename", text("Rename..."), LineCommand::Rename);
+  add("kind", text("Kind..."), LineCommand::Kind);
   menu->addSeparator();
-  add("insert_vertex", words("Insert vertex here"), LineCommand::InsertVertex);
-  add("split", words("Split here"), LineCommand::SplitHere);
-  add("delete", words("Delete"), LineCommand::Delete);
+  add("insert_vertex", text("Insert vertex here"), LineCommand::InsertVertex);
+  add("split", text("Split here"), LineCommand::SplitHere);
+  add("delete", text("Delete"), LineCommand::Delete);
   menu->addSeparator();
-  add("copy", words("Copy"), LineCommand::Copy);
-  add("zoom", words("Zoom to it"), LineCommand::ZoomTo);
-  add("hide", words("Hide its layer"), LineCommand::HideLayer);
+  add("copy", text("Copy"), LineCommand::Copy);
+  add("zoom", text("Zoom to it"), LineCommand::ZoomTo);
+  add("hide", text("Hide its layer"), LineCommand::HideLayer);
   menu->popup(global);
 }
 

@@ -2,18 +2,17 @@
 
 #include <QBoxLayout>
 #include <QCommandLinkButton>
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLabel>
+
+#include "shared/gui/words/words.h"
 
 namespace dobra::gui::welcome {
 
 namespace {
 
 constexpr int room_for_two_columns = 620;  ///< Pixels.
-
-QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
 
 /// By its font alone: a style sheet would keep the colours of the theme before.
 QLabel* heading(const QString& words, double points, QFont::Weight weight, QWidget* parent) {
