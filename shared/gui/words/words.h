@@ -5,9 +5,13 @@
 #include <QCoreApplication>
 #include <QString>
 
-namespace dobra::gui {
+namespace dobra::gui::words {
 
 /// The translation of an English source text; the text itself if there is none.
 inline QString text(const char* source) { return QCoreApplication::translate("dobra", source); }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::words
+
+namespace dobra::gui {
+using words::text;  // in every room of the window
+}
