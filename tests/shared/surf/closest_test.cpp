@@ -24,7 +24,7 @@ TEST(Hull, HoldsTheSurfaceOverItsCellAndIsTightOverSmallOnes) {
   Chance chance{std::mt19937(6)};
   for (const auto& [name, surface] : all_kinds()) {
     for (int tries = 0; tries < 60; ++tries) {
-      const Box& parts = smooth_parts(surface)[0];
+      const Box parts = smooth_parts(surface)[0];
       const double small = std::pow(2.0, -chance.number(0, 12));
       const Point a = chance.of(parts);
       const Box cell{
