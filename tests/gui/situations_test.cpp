@@ -35,6 +35,7 @@ struct Look {
   const char* name;
   bool portuguese;
   bool dark;
+  friend void PrintTo(const Look& look, std::ostream* out) { *out << look.name; }
 };
 
 class Situations : public testing::TestWithParam<Look> {

@@ -31,6 +31,9 @@ using namespace dobra;
 struct Example {
   const char* document;
   bool portuguese;
+  friend void PrintTo(const Example& example, std::ostream* out) {
+    *out << example.document << (example.portuguese ? " pt_BR" : " en");
+  }
 };
 
 class Words : public testing::TestWithParam<Example> {
