@@ -307,7 +307,8 @@ scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_cas
   if (factor > 0.0)
     panel.title += fmt::format(", {}\u00a0\u00d7\u00a0{}", translated("displacements"),
                                dobra::scene::with_decimal_mark(fmt::format("{:g}", factor)));
-  panel.title += fmt::format("; eta\u00a0{:.2g}\u00a0%", 100.0 * analysis.fields[load_case].estimate.eta);
+  panel.title += fmt::format("; eta\u00a0{}\u00a0%", dobra::scene::with_decimal_mark(fmt::format(
+                                                         "{:.2g}", 100.0 * analysis.fields[load_case].estimate.eta)));
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content,
                        scene::InLegend legend) {
     panel.layers.push_back({key, std::move(title), style, std::move(content), true, legend});
