@@ -66,6 +66,9 @@ struct Place {
   std::string item = {};                   ///< Name of the entity, such as "horizon 'top'" or "step 2 (grid)".
   std::optional<double> x = std::nullopt;  ///< A point to zoom to, in model coordinates.
   std::optional<double> y = std::nullopt;
+  std::optional<double> z = std::nullopt;  ///< Of a place in space, beside x and y.
+  std::optional<double> u = std::nullopt;  ///< The same place in the chart of a surface.
+  std::optional<double> v = std::nullopt;
 };
 
 struct Error {
