@@ -232,8 +232,39 @@ Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scen
   return sketch;
 }
 
+namespace {
+
+Result<model::Model> read_surfaces(const InputParams& params, const dobra::scenario::Table& table,
+                                   const dobra::scenario::Context& context) {
+  for (const char* const plane : {"specimen", "file", "curve", "crack", "region", "point"}) {
+    if (table.find(plane) == nullptr) continue;
+    return Error{
+        ErrorCode::BadValue,
+        fmt::format("`{}` is of a plane domain and stands beside surfaces; lines, cracks and points of surfaces "
+                    "are `trim` and `surface_point`",
+                    plane),
+        table.place(plane)};
+  }
+  DOBRA_TRY(surfaces::Surfaces made, surfaces::make_surfaces(params, table, context.units));
+  if (made.faces.empty())
+    return Error{ErrorCode::BadValue, "every surface is a tool; give one with use = \"mesh\"", table.place("surface")};
+  model::Model model;
+  model.units = context.shown_units;
+  model.domain.unit = context.units.to_si(1.0, "m");
+  auto set = std::make_shared<model::SurfaceSet>();
+  set->faces = std::move(made.faces);
+  for (const surfaces::ChartUnits& units : made.units) set->chart_units.push_back({units.u, units.v});
+  model.surfaces = std::move(set);
+  model.surface_findings = std::move(made.findings);
+  for (const auto& finding : model.surface_findings) model.remarks.push_back(finding.message);
+  return model;
+}
+
+}  // namespace
+
 Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
+  if (!params.surfaces.empty()) return read_surfaces(params, table, context);
   DOBRA_TRY(sketch::Sketch sketch, read_drawing(params, table, context));
   const auto append = [](auto& to, auto& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
