@@ -3,13 +3,13 @@
 // it their heights. Whatever asks only which node belongs to which element, side or set takes the ElementMesh as it is;
 // a writer takes the heights as one argument more. Page: docs/algorithms/surface_border.md.
 
-#include <map>
 #include <span>
 #include <vector>
 
 #include "shared/base/result.h"
 #include "shared/mesh/element_mesh.h"
 #include "shared/mesh/recombine.h"
+#include "shared/surf/mesh/division.h"
 #include "shared/surf/mesh/surface_mesh.h"
 #include "shared/surf/trim/trimmed_surface.h"
 
@@ -32,9 +32,6 @@ struct SurfaceElements {
 /// A T3 a triangle; sets become side sets and node sets, of an internal edge the side on its left.
 /// @pre check(mesh)  @cost O(n log n)
 SurfaceElements elements_of(const SurfaceMesh& mesh);
-
-/// Where the middles of sides of the border lie, by the ends, lower node first (division.h finds them).
-using Middles = std::map<Edge, geom::Point3>;
 
 /// T6 and Q8 of T3 and Q4. The mid-side node is the point of the surface next to the middle of the chord, half-way
 /// between the ends; that of a side in `middles` the one there; that of a side of two faces lies on both.

@@ -1,0 +1,1 @@
+#include "shared/surf/mesh/surface_elements.h"
