@@ -33,13 +33,22 @@ struct SurfaceElements {
 /// @pre check(mesh)  @cost O(n log n)
 SurfaceElements elements_of(const SurfaceMesh& mesh);
 
-/// T6 and Q8 of T3 and Q4. The mid-side node is the point of the surface next to the middle of the chord, half-way
-/// between the ends; that of a side in `middles` the one there; that of a side of two faces lies on both.
+/// T6 and Q8 of T3 and Q4. The mid-side node is the point of the surface next to the middle of the chord; that of a
+/// side in `middles` the one there; that of a side of two faces lies on both.
 /// @param surfaces  the ones that were meshed, in their order.
 SurfaceElements to_second_order(const SurfaceElements& elements, std::span<const trim::TrimmedSurface> surfaces,
                                 const Middles& middles = {});
 
 /// Pairs of triangles of one face become quadrilaterals where shapes in space let them, as mesh::recombine does.
 SurfaceElements recombine(const SurfaceElements& elements, const dobra::mesh::RecombineOptions& options = {});
+
+/// An element as it looks at a right angle to its mean plane: a mesh of one element, x and y in that plane.
+dobra::mesh::ElementMesh flattened(const SurfaceElements& elements, dobra::mesh::ElementId element);
+
+/// @error CannotMesh or NotFinite with the place {x, y, z}: arrays that do not fit, nodes that do not exist, two
+/// elements
+///        on one side of an edge, an element that is flat, re-entrant or folded (by `flattened`: its Jacobian is not
+///        positive everywhere).  @cost O(n log n)
+base::Result<void> check(const SurfaceElements& elements);
 
 }  // namespace dobra::surf::mesh
