@@ -20,6 +20,8 @@ enum class UseConstraints { Yes, No };
 enum class Order { First, Second };
 enum class Quadrilaterals { No, Yes };
 enum class UseRosettes { No, Yes };
+/// Paper: [miranda2009surface] as it is written.
+enum class EngineChoice { Front, Delaunay, Paper };
 
 /// What every mesh obeys, that of a mesh step and each of an adaptive loop. A base of MeshParams and AdaptParams.
 struct MeshRules {
@@ -28,7 +30,7 @@ struct MeshRules {
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
   double growth = 1.3;
   double narrow = 1.0;
-  dobra::mesh::front::Engine engine = dobra::mesh::front::Engine::Front;
+  EngineChoice engine = EngineChoice::Front;
   int smoothing = 3;
   int max_elements = 20000000;
   UseConstraints constraints = UseConstraints::Yes;
@@ -73,7 +75,7 @@ struct MeshRules {
                      "sides there are divided as finely. 0: sides are as long as elsewhere.",
              .at_least = 0,
              .at_most = 20});
-    d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay"},
+    d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay", "paper"},
              {.title = "Engine",
               .help = "What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay "
                       "triangulation, which is slower."});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quebra/model/meshed.h"
+#include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/surface_elements.h"
 #include "shared/surf/mesh/surface_mesh.h"
 #include "shared/surf/trim/trimmed_surface.h"
@@ -17,18 +18,11 @@ struct SurfaceSet {
   std::vector<dobra::geom::Vector> chart_units;  ///< One a face: what 1 of its written u and v is in its chart.
 };
 
-/// How good the triangles are, in space.
-struct SurfaceQuality {
-  double alpha_mean = 0.0, alpha_90 = 0.0, alpha_min = 0.0;
-  std::size_t worst = 0;  ///< The triangle of least alpha.
-};
-
 struct SurfaceMeshed {
   std::string name;
   dobra::surf::mesh::SurfaceMesh mesh;          ///< Triangles, before they were joined or bent.
   dobra::surf::mesh::SurfaceElements elements;  ///< As they are, cracks opened.
-  SurfaceQuality quality;
-  double area = 0.0;          ///< Of the triangles, m2.
+  dobra::surf::mesh::SurfaceQuality quality;    ///< Of the triangles.
   double area_surface = 0.0;  ///< Of the faces by quadrature, m2.
   std::vector<dobra::surf::mesh::Finding> findings;
   std::vector<PhaseTime> seconds;

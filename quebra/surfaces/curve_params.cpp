@@ -17,8 +17,6 @@ using surf::Curve;
 
 namespace {
 
-Error lacking(const std::string& what) { return {ErrorCode::BadValue, what}; }
-
 /// A chain as a spline of degree 1, its parameter the length from the start.
 Result<Curve> make_line(const std::vector<Point3>& points) {
   if (points.size() < 2) return lacking("a line needs two `points` or more");

@@ -73,6 +73,9 @@ struct SpaceCurveParams {
 /// @error BadValue: what its kind needs is missing, in the words of the keys; those of the makers of surf::Curve.
 dobra::base::Result<dobra::surf::Curve> make_space_curve(const SpaceCurveParams& params);
 
+/// What a kind needs is not there.
+inline dobra::base::Error lacking(const std::string& what) { return {dobra::base::ErrorCode::BadValue, what}; }
+
 /// The axes of a circle or a surface of revolution.
 /// @param x_axis  any that is not along the axis; nothing: square to it, of x or y the one that is farther from it.
 /// @error DegenerateCurve: an axis of no length, an x axis along it.

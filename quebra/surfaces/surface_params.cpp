@@ -21,8 +21,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-Error lacking(const std::string& what) { return {ErrorCode::BadValue, what}; }
-
 struct Range {
   double from = 0.0, to = 0.0;
 };
@@ -41,8 +39,8 @@ Result<geom::Box> chart(const SurfaceParams& params, double unit_u, double unit_
   DOBRA_TRY(const Range along_u, range(params.u, "u", unit_u, u));
   DOBRA_TRY(const Range along_v, range(params.v, "v", unit_v, v));
   geom::Box box;
-  box.add({along_u.from, along_v.from});
-  box.add({along_u.to, along_v.to});
+  box.add(geom::Point{along_u.from, along_v.from});
+  box.add(geom::Point{along_u.to, along_v.to});
   return box;
 }
 

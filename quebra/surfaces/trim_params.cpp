@@ -14,8 +14,6 @@ using surf::Curve;
 
 namespace {
 
-Error lacking(const std::string& what) { return {ErrorCode::BadValue, what}; }
-
 /// An affine image of the circle in four rational quadratics; exact.
 Result<Curve> make_ellipse(Point centre, geom::Vector along, geom::Vector across, ChartUnits units) {
   const double half = std::sqrt(0.5);

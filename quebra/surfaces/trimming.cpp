@@ -170,6 +170,10 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
   return {};
 }
 
+Result<void> Trimming::add_cut(const TrimParams&, const std::optional<surf::Surface>&) {
+  return Error{ErrorCode::NotSupported, "cuts by surfaces are not there yet"};
+}
+
 Result<std::vector<TrimmedSurface>> Trimming::faces(std::vector<surf::mesh::Finding>&) const {
   struct Part {
     std::vector<Point> contour;

@@ -31,6 +31,7 @@ class Trimming {
       std::vector<dobra::surf::mesh::Finding>& findings) const;
 
  private:
+  dobra::base::Result<void> add_cut(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);
   /// A curve of a trim, or several that follow each other.
   struct Drawn {
     TrimRole role;
