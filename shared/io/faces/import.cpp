@@ -1,0 +1,29 @@
+#include "shared/io/faces/import.h"
+
+#include "shared/io/faces/face.h"
+
+namespace dobra::io::faces {
+
+base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOptions& options) {
+  DOBRA_TRY(const std::vector<brep::TrimmedFace> faces, brep::faces_of(model));
+  Imported made;
+  SharedEdges shared;
+  for (const brep::TrimmedFace& face : faces) {
+    Report report(made.findings, face.place);
+    auto outcome = imported(model, face, shared, options, report);
+    if (auto* refusal = std::get_if<Refusal>(&outcome)) {
+      ++made.refused;
+      report.say(refusal->code, refusal->message, refusal->uv, refusal->at);
+    } else {
+      made.faces.push_back(std::get<surf::trim::TrimmedSurface>(std::move(outcome)));
+    }
+  }
+  return made;
+}
+
+base::Result<Imported> faces_of_file(const std::string& path, const ImportOptions& options) {
+  DOBRA_TRY(const brep::Model model, brep::read_brep(path));
+  return faces_of_model(model, options);
+}
+
+}  // namespace dobra::io::faces
