@@ -15,6 +15,7 @@
 #include "quebra/meshing/half_crack.h"
 #include "quebra/meshing/meshing.h"
 #include "quebra/meshing/zone.h"
+#include "quebra/surfaces/mesh_step.h"
 #include "shared/operations/offset_step.h"
 
 namespace quebra::core {
@@ -138,11 +139,18 @@ std::string name_at(const domain::Domain& domain, const std::string& what,
 
 bool mesher_at_work(const scenario::State& state) { return scenario::model_of<model::Model>(state).work != nullptr; }
 
+/// Of the domain, or of the surfaces.
+base::Result<model::Model> mesh_model(const model::Model& model, const meshing::MeshParams& params,
+                                      const scenario::Context& context, const base::Progress& progress) {
+  if (model.surfaces) return surfaces::add_surface_mesh(model, params, context, progress);
+  return meshing::add_mesh(model, params, context, progress);
+}
+
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
       "mesh", "Mesh",
       "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
-      meshing::add_mesh, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
+      mesh_model, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -198,7 +206,7 @@ scenario::Program make_program() {
   program.read_input = input;
   program.draw_input = draw_input;
   program.nothing_yet = [](const scenario::Table& input) {
-    constexpr std::array keys{"specimen", "file", "curve", "crack"};
+    constexpr std::array keys{"specimen", "file", "curve", "crack", "surface"};
     return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return input.find(key) != nullptr; });
   };
   program.drawing = drawing();

@@ -28,6 +28,7 @@ struct MeshRules {
   std::string size_formula, background, background_field;
   sketch::DivisionRule division = sketch::DivisionRule::Even;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
+  double chord = 0.0;
   double growth = 1.3;
   double narrow = 1.0;
   EngineChoice engine = EngineChoice::Front;
@@ -60,10 +61,15 @@ struct MeshRules {
          .help = "even: as few sides as meet size and turn; halving: sides halved until they do, 2:1 along a curve."});
     d.field("turn", of<P>(&MeshRules::turn),
             {.title = "Greatest turn",
-             .help = "That one element side on an arc may span.",
+             .help = "That one element side on an arc may span; of a surface, that its normal may turn along a side.",
              .unit = "deg",
              .above = 0,
              .at_most = 90});
+    d.field("chord", of<P>(&MeshRules::chord),
+            {.title = "Greatest distance from a surface",
+             .help = "Of the elements' sides; 0 does not ask. Of surfaces in space only.",
+             .unit = "m",
+             .at_least = 0});
     d.field("growth", of<P>(&MeshRules::growth),
             {.title = "Growth",
              .help = "Most by which sizes may grow from one element to the next.",
@@ -77,8 +83,9 @@ struct MeshRules {
              .at_most = 20});
     d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay", "paper"},
              {.title = "Engine",
-              .help = "What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay "
-                      "triangulation, which is slower."});
+              .help = "What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay "
+                      "triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as "
+                      "it is written."});
     d.field("smoothing", of<P>(&MeshRules::smoothing), {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", of<P>(&MeshRules::max_elements),
             {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});

@@ -17,22 +17,6 @@ using surf::Curve;
 
 namespace {
 
-/// A chain as a spline of degree 1, its parameter the length from the start.
-Result<Curve> make_line(const std::vector<Point3>& points) {
-  if (points.size() < 2) return lacking("a line needs two `points` or more");
-  if (points.size() == 2) return Curve::line(points[0], points[1]);
-  std::vector<double> knots{0.0, 0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double step = distance(points[i - 1], points[i]);
-    if (step <= 0.0)
-      return Error{ErrorCode::DegenerateCurve, fmt::format("points {} and {} of the line are the same", i, i + 1),
-                   base::Place{.x = points[i].x, .y = points[i].y, .z = points[i].z}};
-    knots.push_back(knots.back() + step);
-  }
-  knots.push_back(knots.back());
-  return Curve::nurbs(1, std::move(knots), points);
-}
-
 /// Through three points, as part of their circle.
 Result<Curve> make_arc(const std::vector<Point3>& points) {
   if (points.size() != 3) return lacking("an arc has three `points`: the first, one on the way, and the last");
@@ -57,38 +41,6 @@ Result<Curve> make_circle(const SpaceCurveParams& params) {
   DOBRA_TRY(const Axes axes, make_axes(params.axis, params.x_axis));
   return Curve::arc(*params.centre, *params.radius * axes.x, *params.radius * axes.y, params.start.radians(),
                     params.start.radians() + params.sweep.radians());
-}
-
-/// The natural cubic spline by chord length: second derivatives from the tridiagonal system, pieces as Bezier's.
-Result<Curve> make_spline(const std::vector<Point3>& points) {
-  const std::size_t n = points.size();
-  if (n < 3) return make_line(points);
-  std::vector<double> step(n - 1), knots(4, 0.0);
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    step[i] = distance(points[i], points[i + 1]);
-    if (step[i] <= 0.0) return lacking(fmt::format("points {} and {} of the spline are the same", i + 1, i + 2));
-  }
-  std::vector<Vector3> bend(n);  // second derivatives
-  std::vector<double> diagonal(n, 1.0);
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const Vector3 jump = (points[i + 1] - points[i]) / step[i] - (points[i] - points[i - 1]) / step[i - 1];
-    const double factor = i > 1 ? step[i - 1] / diagonal[i - 1] : 0.0;
-    diagonal[i] = 2.0 * (step[i - 1] + step[i]) - factor * step[i - 1];
-    bend[i] = 6.0 * jump - factor * bend[i - 1];
-  }
-  for (std::size_t i = n - 2; i > 0; --i) bend[i] = (bend[i] - step[i] * bend[i + 1]) / diagonal[i];
-  std::vector<Point3> control{points[0]};
-  double at = 0.0;
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const double h = step[i];
-    const Vector3 chord = (points[i + 1] - points[i]) / 3.0;
-    control.push_back(points[i] + (chord - (h * h / 18.0) * (2.0 * bend[i] + bend[i + 1])));
-    control.push_back(points[i + 1] - (chord + (h * h / 18.0) * (bend[i] + 2.0 * bend[i + 1])));
-    control.push_back(points[i + 1]);
-    at += h;
-    knots.insert(knots.end(), i + 2 < n ? 3 : 4, at);
-  }
-  return Curve::nurbs(3, std::move(knots), std::move(control));
 }
 
 }  // namespace
@@ -121,9 +73,10 @@ Result<Curve> make_space_curve(const SpaceCurveParams& params) {
     case SpaceCurveKind::Nurbs:
       return Curve::nurbs(static_cast<std::size_t>(params.degree), params.knots, params.points, params.weights);
     case SpaceCurveKind::Spline:
-      return make_spline(params.points);
+      return Curve::through(params.points);
   }
-  return make_line(params.points);
+  if (params.points.size() < 2) return lacking("a line needs two `points` or more");
+  return params.points.size() == 2 ? Curve::line(params.points[0], params.points[1]) : Curve::polyline(params.points);
 }
 
 }  // namespace quebra::surfaces

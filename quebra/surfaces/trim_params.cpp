@@ -1,6 +1,7 @@
 #include "quebra/surfaces/trim_params.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace quebra::surfaces {
 
@@ -14,19 +15,10 @@ using surf::Curve;
 
 namespace {
 
-/// An affine image of the circle in four rational quadratics; exact.
-Result<Curve> make_ellipse(Point centre, geom::Vector along, geom::Vector across, ChartUnits units) {
-  const double half = std::sqrt(0.5);
-  constexpr int corners[9][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
-  std::vector<Point3> points;
-  std::vector<double> weights;
-  for (const auto& [a, b] : corners) {
-    const Point p = units.in(centre + (static_cast<double>(a) * along + static_cast<double>(b) * across));
-    points.push_back({p.x, p.y, 0.0});
-    weights.push_back(a * b == 0 ? 1.0 : half);
-  }
-  return Curve::nurbs(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, std::move(points), std::move(weights));
-}
+constexpr double turn = 2.0 * std::numbers::pi;
+
+Point3 flat(Point p) { return {p.x, p.y, 0.0}; }
+geom::Vector3 flat(geom::Vector v, ChartUnits units) { return {units.u * v.x, units.v * v.y, 0.0}; }
 
 /// Part of the circle through three points as they are written.
 Result<Curve> make_arc(const std::vector<Point>& p, ChartUnits units) {
@@ -41,26 +33,11 @@ Result<Curve> make_arc(const std::vector<Point>& p, ChartUnits units) {
   const double radius = length(from), start = std::atan2(from.y, from.x);
   const geom::Vector last = p[2] - centre;
   double sweep = std::atan2(cross(from, last), dot(from, last));
-  constexpr double turn = 2.0 * 3.14159265358979323846;
   if (twice > 0.0 && sweep < 0.0) sweep += turn;
   if (twice < 0.0 && sweep > 0.0) sweep -= turn;
-  // Pieces below a third of a turn as rational quadratics.
-  const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (turn / 4.0)));
-  const double half = 0.5 * sweep / pieces;
-  std::vector<Point3> points;
-  std::vector<double> weights, knots{0.0};
-  for (int i = 0; i <= 2 * pieces; ++i) {
-    const double angle = start + i * half, out = i % 2 == 0 ? radius : radius / std::cos(half);
-    Point at = centre + geom::Vector{out * std::cos(angle), out * std::sin(angle)};
-    if (i == 0) at = p[0];
-    if (i == 2 * pieces) at = p[2];
-    at = units.in(at);
-    points.push_back({at.x, at.y, 0.0});
-    weights.push_back(i % 2 == 0 ? 1.0 : std::cos(half));
-  }
-  for (int i = 0; i <= pieces; ++i) knots.insert(knots.end(), 2, static_cast<double>(i));
-  knots.push_back(pieces);
-  return Curve::nurbs(2, std::move(knots), std::move(points), std::move(weights));
+  const double round = sweep < 0.0 ? -1.0 : 1.0;  // clockwise: mirrored, by the negative angle
+  return Curve::ellipse(flat(units.in(centre)), flat({radius, 0.0}, units), flat({0.0, round * radius}, units),
+                        round * start, round * (start + sweep));
 }
 
 }  // namespace
@@ -92,7 +69,8 @@ Result<Curve> make_trim_curve(const TrimParams& params, ChartUnits units) {
       along = params.radii[0], across = params.radii[1];
     }
     const double c = std::cos(params.rotation.radians()), s = std::sin(params.rotation.radians());
-    return make_ellipse(*params.centre, {along * c, along * s}, {-across * s, across * c}, units);
+    return Curve::ellipse(flat(units.in(*params.centre)), flat({along * c, along * s}, units),
+                          flat({-across * s, across * c}, units), 0.0, turn);
   }
   if (params.kind == TrimKind::Arc) return make_arc(params.points, units);
   SpaceCurveParams curve;

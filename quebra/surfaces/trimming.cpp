@@ -10,6 +10,7 @@
 #include "shared/geom/spatial_index.h"
 #include "shared/surf/closest.h"
 #include "shared/surf/measure.h"
+#include "shared/surf/trim/common_edges.h"
 
 namespace quebra::surfaces {
 
@@ -170,8 +171,38 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
   return {};
 }
 
-Result<void> Trimming::add_cut(const TrimParams&, const std::optional<surf::Surface>&) {
-  return Error{ErrorCode::NotSupported, "cuts by surfaces are not there yet"};
+Result<void> Trimming::add_cut(const TrimParams& trim, const std::optional<surf::Surface>& tool) {
+  std::vector<ChartEdge> edges;
+  if (trim.kind == TrimKind::Plane) {
+    if (!trim.at || !trim.normal) return lacking("a plane needs `at` and `normal`");
+    DOBRA_TRY(edges, surf::trim::plane_edges(surface_, *trim.at, {trim.normal->x, trim.normal->y, trim.normal->z},
+                                             {.name = trim.name}));
+  } else {
+    if (!tool) return lacking("`tool` is needed: the surface that cuts");
+    DOBRA_TRY(const auto common, surf::trim::common_edges(surface_, *tool, {.name = trim.name}));
+    for (const surf::trim::CommonEdge& edge : common) edges.push_back(edge.first);
+  }
+  if (edges.empty()) {
+    return Error{ErrorCode::BadDomain,
+                 fmt::format("surface '{}' and {} do not meet, or only touch", name_,
+                             trim.kind == TrimKind::Plane ? "the plane" : fmt::format("'{}'", trim.tool))};
+  }
+  for (ChartEdge& edge : edges) edge.shared.reset();
+  chain(trim, std::move(edges));
+  return {};
+}
+
+/// Edges that follow each other become lines, closed ones where they come back.
+void Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
+  const double near = 1e-9 * std::max(surface_.chart().width(), surface_.chart().height());
+  for (std::size_t i = 0; i < edges.size();) {
+    Drawn drawn{trim.role, trim.name, false, {edges[i++]}};
+    while (i < edges.size() && distance(drawn.edges.back().end(), edges[i].start()) <= near &&
+           distance(drawn.edges.back().end(), drawn.edges.front().start()) > near)
+      drawn.edges.push_back(edges[i++]);
+    drawn.closed = distance(drawn.edges.back().end(), drawn.edges.front().start()) <= near;
+    drawn_.push_back(std::move(drawn));
+  }
 }
 
 Result<std::vector<TrimmedSurface>> Trimming::faces(std::vector<surf::mesh::Finding>&) const {

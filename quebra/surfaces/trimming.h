@@ -32,6 +32,7 @@ class Trimming {
 
  private:
   dobra::base::Result<void> add_cut(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);
+  void chain(const TrimParams& trim, std::vector<dobra::surf::trim::ChartEdge> edges);
   /// A curve of a trim, or several that follow each other.
   struct Drawn {
     TrimRole role;

@@ -79,15 +79,15 @@ class Strip {
 };
 
 /// A part of an edge, followed forwards or backwards.
-struct Piece {
+struct LoopPiece {
   const ChartEdge* edge = nullptr;
   double from = 0.0, to = 0.0;
   Measured area;
   int depth = 0;
-  bool operator<(const Piece& other) const { return area.error < other.area.error; }
+  bool operator<(const LoopPiece& other) const { return area.error < other.area.error; }
 };
 
-void measure(const Strip& strip, Piece& piece) {
+void measure(const Strip& strip, LoopPiece& piece) {
   const double half = 0.5 * (piece.to - piece.from), middle = piece.from + half;
   double kronrod = 0.0, gauss = 0.0, inner = 0.0;
   for (std::size_t i = 0; i < 15; ++i) {
@@ -159,9 +159,9 @@ double area_of_box(const TrimmedSurface& face) {
 
 Measured area(const TrimmedSurface& face, double tolerance) {
   const Strip strip(face.surface, 0.1 * tolerance);
-  std::priority_queue<Piece> pieces;
+  std::priority_queue<LoopPiece> pieces;
   Measured sum;
-  const auto add = [&](Piece piece) {
+  const auto add = [&](LoopPiece piece) {
     measure(strip, piece);
     sum.value += piece.area.value;
     sum.error += piece.area.error;
@@ -178,7 +178,7 @@ Measured area(const TrimmedSurface& face, double tolerance) {
   constexpr int deepest = 40;
   const double least = thin * area_of_box(face);
   while (!pieces.empty() && pieces.size() < most && sum.error > tolerance * std::max(std::abs(sum.value), least)) {
-    const Piece worst = pieces.top();
+    const LoopPiece worst = pieces.top();
     pieces.pop();
     if (worst.depth == deepest) continue;  // its error stays in the sum
     sum.value -= worst.area.value;
