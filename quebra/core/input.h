@@ -275,6 +275,9 @@ struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
   }
 };
 
+/// Whether the file is a boundary model, whose faces are surfaces.
+bool is_brep(const std::string& file);
+
 /// What is drawn, before anything is made of it.
 /// @param table  the table that `params` came from: the places of its curves stand in the errors.
 /// @error those of the reader of the file; BadValue for a curve that lacks what its kind needs.

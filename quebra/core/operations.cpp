@@ -11,6 +11,7 @@
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/result_picture.h"
+#include "quebra/core/surface_layers.h"
 #include "quebra/meshing/constraint.h"
 #include "quebra/meshing/half_crack.h"
 #include "quebra/meshing/meshing.h"
@@ -146,11 +147,28 @@ base::Result<model::Model> mesh_model(const model::Model& model, const meshing::
   return meshing::add_mesh(model, params, context, progress);
 }
 
+// What a model tells: of its domain, or of its surfaces.
+void quantities(const model::Model& model, std::vector<scenario::Quantity>& all) {
+  model.surfaces ? add_surface_quantities(model, all) : add_quantities(model, all);
+}
+void finding_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  model.surfaces ? add_surface_finding_tables(model, tables) : add_finding_tables(model, tables);
+}
+void mesh_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  model.surfaces ? add_surface_mesh_tables(model, tables) : add_mesh_tables(model, tables);
+}
+void mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
+  model->surfaces ? add_surface_mesh_outputs(model, outputs) : add_mesh_outputs(model, outputs);
+}
+void draw_model(const model::Model& model, dobra::scene::Picture& picture) {
+  model.surfaces ? draw_surfaces(model, picture) : draw(model, picture);
+}
+
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
       "mesh", "Mesh",
       "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
-      mesh_model, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
+      mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -220,10 +238,10 @@ scenario::Program make_program() {
     return name_at(scenario::model_of<model::Model>(state).domain, what, line, at);
   };
   program.results = scenario::make_results<model::Model>({
-      .quantities = add_quantities,
-      .tables = add_finding_tables,
+      .quantities = quantities,
+      .tables = finding_tables,
       .remarks = [](const model::Model& model, auto& remarks) { remarks = model.remarks; },
-      .draw = draw,
+      .draw = draw_model,
   });
   program.operations = {
       scenario::make_operation<model::Model, meshing::ConstraintParams>(

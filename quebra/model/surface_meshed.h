@@ -23,7 +23,7 @@ struct SurfaceMeshed {
   dobra::surf::mesh::SurfaceMesh mesh;          ///< Triangles, before they were joined or bent.
   dobra::surf::mesh::SurfaceElements elements;  ///< As they are, cracks opened.
   dobra::surf::mesh::SurfaceQuality quality;    ///< Of the triangles.
-  double area_surface = 0.0;  ///< Of the faces by quadrature, m2.
+  double area_surface = 0.0;                    ///< Of the faces by quadrature, m2.
   std::vector<dobra::surf::mesh::Finding> findings;
   std::vector<PhaseTime> seconds;
 };
