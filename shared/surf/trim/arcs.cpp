@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/geom/segment.h"
 #include "shared/surf/trim/meetings.h"
 
 namespace dobra::surf::trim {

@@ -15,9 +15,9 @@ namespace dobra::surf::trim {
 /// An edge as it came, or the part of it between two seams. A place on it is a part of its way: 0 where it starts.
 struct Strand {
   ChartEdge edge;
-  std::size_t line = 0;      ///< Of which line.
-  bool bounds = true;        ///< Faces end there.
-  std::optional<Side> side;  ///< Of the chart.
+  std::size_t line = 0;                     ///< Of which line.
+  bool bounds = true;                       ///< Faces end there.
+  std::optional<Side> side = std::nullopt;  ///< Of the chart.
   ChartLine::Kind kind = ChartLine::Kind::Constraint;
   std::size_t start = 0, end = 0;           ///< Vertices.
   double whole_from = 0.0, whole_to = 1.0;  ///< Parameters of the edge that came, of which it may be a part.

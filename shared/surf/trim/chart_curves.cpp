@@ -1,5 +1,8 @@
 #include "shared/surf/trim/chart_curves.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace dobra::surf::trim {
 
 using geom::Point;
@@ -47,6 +50,19 @@ Curve with_ends(const Curve& curve, double from, double to, Point start, Point e
   return Curve::of(std::make_shared<const EndsShape>(curve, from, to, Vector3{start.x - p.x, start.y - p.y, 0.0},
                                                      Vector3{end.x - q.x, end.y - q.y, 0.0}),
                    curve.breaks());
+}
+
+ChartEdge with_ends(const ChartEdge& edge, const geom::Box& chart, Point start, Point end, double rounding) {
+  const auto off = [&](Point is, Point wanted) {
+    const bool border =
+        wanted.x == chart.low.x || wanted.x == chart.high.x || wanted.y == chart.low.y || wanted.y == chart.high.y;
+    return std::max(std::abs(is.x - wanted.x) / chart.width(), std::abs(is.y - wanted.y) / chart.height()) >
+           (border ? 0.0 : rounding);
+  };
+  ChartEdge made = edge;
+  if (off(edge.start(), start) || off(edge.end(), end))
+    made.curve = with_ends(edge.curve, edge.from, edge.to, start, end);
+  return made;
 }
 
 ChartEdge straight(Point from, Point to, const std::string& name) {

@@ -123,8 +123,8 @@ class Finder {
     const double size = length(axis);
     if (!(size > 0.0)) return false;
     const auto of = [&](Point p) { return (p.x * axis.x + p.y * axis.y) / size; };
-    const auto [a0, a1] = std::minmax(of(a.start), of(a.end));
-    const auto [b0, b1] = std::minmax(of(b.start), of(b.end));
+    const auto [a0, a1] = std::minmax({of(a.start), of(a.end)});
+    const auto [b0, b1] = std::minmax({of(b.start), of(b.end)});
     const double rest = a.sag() + b.sag();
     return a1 + rest < b0 || b1 + rest < a0;
   }

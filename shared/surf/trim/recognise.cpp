@@ -89,10 +89,8 @@ class Recogniser {
       ChartEdge edge = own.edge;
       edge.from = std::lerp(own.edge.from, own.edge.to, arc.from);
       edge.to = std::lerp(own.edge.from, own.edge.to, arc.to);
-      const Point start = s.arcs.vertices[arc.start], end = s.arcs.vertices[arc.end];
-      if (geom::distance(s.arcs.part(edge.start()), start) > 1e-12 ||
-          geom::distance(s.arcs.part(edge.end()), end) > 1e-12)
-        edge.curve = with_ends(edge.curve, edge.from, edge.to, s.arcs.uv(start), s.arcs.uv(end));
+      edge = with_ends(edge, s.arcs.chart, s.arcs.uv(s.arcs.vertices[arc.start]), s.arcs.uv(s.arcs.vertices[arc.end]),
+                       1e-12);
       bool bounds = false;
       std::size_t line = own.line;
       ChartLine::Kind kind = ChartLine::Kind::Constraint;

@@ -58,15 +58,19 @@ class Maker {
     const std::vector<double> parts = looks(edge);
     const auto cut_at_seams = [&](bool closed, auto coordinate, double low, double range) {
       if (!closed) return;
+      const auto place = [&](double part) { return (coordinate(at(edge, part)) - low) / range; };
+      const bool leaves = std::any_of(parts.begin(), parts.end(), [&](double part) {
+        return place(part) > 1.0 + options_.same || place(part) < -options_.same;
+      });
+      if (!leaves) return;
       for (std::size_t i = 1; i < parts.size(); ++i) {
-        double a = (coordinate(at(edge, parts[i - 1])) - low) / range,
-               b = (coordinate(at(edge, parts[i])) - low) / range;
-        if (std::max(a, b) <= 1.0 + options_.same && std::min(a, b) >= -options_.same) continue;
+        const double a = place(parts[i - 1]), b = place(parts[i]);
+        if (std::max(a, b) <= 1.0 && std::min(a, b) >= 0.0) continue;
         for (double seam = std::ceil(std::min(a, b)); seam <= std::max(a, b); ++seam) {
           double from = parts[i - 1], to = parts[i];
           for (int k = 0; k < 60; ++k) {
             const double middle = 0.5 * (from + to);
-            const bool before = ((coordinate(at(edge, middle)) - low) / range < seam) == (a < b);
+            const bool before = (place(middle) < seam) == (a < b);
             (before ? from : to) = middle;
           }
           cuts.push_back(0.5 * (from + to));
@@ -208,11 +212,8 @@ class Maker {
 
   [[nodiscard]] Strand with_exact_ends(Strand strand) const {
     const Arcs& arcs = made_.arcs;
-    const Point start = arcs.vertices[strand.start], end = arcs.vertices[strand.end];
-    const double off = std::max(geom::distance(arcs.part(strand.edge.start()), start),
-                                geom::distance(arcs.part(strand.edge.end()), end));
-    if (off > 1e-13)
-      strand.edge.curve = with_ends(strand.edge.curve, strand.edge.from, strand.edge.to, arcs.uv(start), arcs.uv(end));
+    strand.edge = with_ends(strand.edge, arcs.chart, arcs.uv(arcs.vertices[strand.start]),
+                            arcs.uv(arcs.vertices[strand.end]), 1e-13);
     return strand;
   }
 

@@ -65,9 +65,9 @@ inline void check_seams(const trim::TrimmedSurface& face) {
   std::map<trim::SharedCurveId, std::vector<const trim::ChartEdge*>> seams;
   for (const trim::ChartLoop& loop : face.loops) {
     for (const trim::ChartEdge& edge : loop.edges) {
-      const geom::Point p = edge.start(), q = edge.end();
-      const bool along_v = p.x == q.x && (p.x == chart.low.x || p.x == chart.high.x);
-      const bool along_u = p.y == q.y && (p.y == chart.low.y || p.y == chart.high.y);
+      const geom::Point p = edge.start(), q = edge.end(), m = edge.at(0.5 * (edge.from + edge.to));
+      const bool along_v = p.x == q.x && p.x == m.x && (p.x == chart.low.x || p.x == chart.high.x);
+      const bool along_u = p.y == q.y && p.y == m.y && (p.y == chart.low.y || p.y == chart.high.y);
       if (!(face.surface.closed_u() && along_v) && !(face.surface.closed_v() && along_u)) continue;
       ASSERT_TRUE(edge.shared.has_value());
       seams[*edge.shared].push_back(&edge);
