@@ -20,7 +20,7 @@ struct CommonEdge {
 };
 
 struct CommonEdgeOptions {
-  std::string name;          ///< Of all edges.
+  std::string name = {};     ///< Of all edges.
   SharedCurveId number = 0;  ///< Of the first piece; the others follow.
   double residual = 1e-10;   ///< Most that both surfaces may be apart on the curve, of the smaller one's size.
 };
