@@ -15,14 +15,16 @@ using geom::Box;
 using geom::Point;
 using geom::Point3;
 
-surf::trim::SharedCurveId SharedEdges::id_of(brep::Index edge, const brep::Placement& placement) {
+bool same_place(const brep::Placement& a, const brep::Placement& b) {
   constexpr double close = 1e-9;
+  const double size = std::max(1.0, length(a.origin - Point3{}));
+  return length(a.x - b.x) < close && length(a.y - b.y) < close && length(a.z - b.z) < close &&
+         distance(a.origin, b.origin) < close * size;
+}
+
+surf::trim::SharedCurveId SharedEdges::id_of(brep::Index edge, const brep::Placement& placement) {
   for (const Known& known : known_[edge]) {
-    const brep::Placement& p = known.placement;
-    const double size = std::max(1.0, length(p.origin - Point3{}));
-    if (length(p.x - placement.x) < close && length(p.y - placement.y) < close && length(p.z - placement.z) < close &&
-        distance(p.origin, placement.origin) < close * size)
-      return known.id;
+    if (same_place(known.placement, placement)) return known.id;
   }
   known_[edge].push_back({placement, next_});
   return next_++;
@@ -200,7 +202,7 @@ class FaceImport {
     };
     for_each_piece([&](const Piece& piece) {
       if (piece.drawn) {
-        for (const double t : parameters_along(piece)) add(scratch_->at(piece.at(t)));
+        for (const Point uv : spread(piece)) add(scratch_->at(uv));
       } else if (piece.space) {
         for (int i = 0; i <= 16; ++i) add(piece.space->at(std::lerp(piece.space_from, piece.space_to, i / 16.0)));
       }
@@ -211,10 +213,14 @@ class FaceImport {
 
   [[nodiscard]] double length_of(const Piece& piece) const {
     if (piece.space) return std::abs(piece.space->length(piece.space_from, piece.space_to));
+    constexpr int chords = 32;
     double sum = 0.0;
-    const std::vector<double> along = parameters_along(piece);
-    for (std::size_t i = 1; i < along.size(); ++i)
-      sum += distance(scratch_->at(piece.at(along[i - 1])), scratch_->at(piece.at(along[i])));
+    Point3 last = scratch_->at(piece.begin_at());
+    for (int i = 1; i <= chords; ++i) {
+      const Point3 next = scratch_->at(piece.at(std::lerp(piece.from, piece.to, static_cast<double>(i) / chords)));
+      sum += distance(last, next);
+      last = next;
+    }
     return sum;
   }
 
