@@ -36,6 +36,15 @@ Refusal curve_refusal(const std::string& name, const base::Error& error) {
   return {"face_curve", fmt::format("{} cannot be used: {}", name, error.message)};
 }
 
+Refusal surface_refusal(const base::Error& error) {
+  Refusal refusal{"face_surface", error.message};
+  if (!error.place) return refusal;
+  const base::Place& place = *error.place;
+  if (place.u && place.v) refusal.uv = Point{*place.u, *place.v};
+  if (place.x && place.y && place.z) refusal.at = Point3{*place.x, *place.y, *place.z};
+  return refusal;
+}
+
 class FaceImport {
  public:
   FaceImport(const brep::Model& model, const brep::TrimmedFace& face, SharedEdges& shared, const ImportOptions& options,
@@ -44,7 +53,7 @@ class FaceImport {
 
   Outcome<surf::trim::TrimmedSurface> run() {
     auto whole = whole_surface(*model_.surfaces[face_.surface], face_.placement);
-    if (!whole) return Refusal{"face_surface", whole.error().message, std::nullopt, std::nullopt};
+    if (!whole) return surface_refusal(whole.error());
     whole_ = *std::move(whole);
     for (const auto& wire : face_.loops) {
       if (auto refusal = add_wire(wire)) return *refusal;
@@ -168,7 +177,7 @@ class FaceImport {
     stop_at_points(box.low.x, box.high.x, whole_.points_u);
     stop_at_points(box.low.y, box.high.y, whole_.points_v);
     auto surface = whole_.over(box);
-    if (!surface) return Refusal{"face_surface", surface.error().message};
+    if (!surface) return surface_refusal(surface.error());
     scratch_ = *surface;
     measure();
     std::optional<Refusal> refusal;
@@ -212,15 +221,14 @@ class FaceImport {
   }
 
   [[nodiscard]] double length_of(const Piece& piece) const {
-    if (piece.space) return std::abs(piece.space->length(piece.space_from, piece.space_to));
-    constexpr int chords = 32;
+    constexpr int chords = 64;
+    const auto at = [&](int i) {
+      const double part = static_cast<double>(i) / chords;
+      return piece.space ? piece.space->at(std::lerp(piece.space_from, piece.space_to, part))
+                         : scratch_->at(piece.at(std::lerp(piece.from, piece.to, part)));
+    };
     double sum = 0.0;
-    Point3 last = scratch_->at(piece.begin_at());
-    for (int i = 1; i <= chords; ++i) {
-      const Point3 next = scratch_->at(piece.at(std::lerp(piece.from, piece.to, static_cast<double>(i) / chords)));
-      sum += distance(last, next);
-      last = next;
-    }
+    for (int i = 1; i <= chords; ++i) sum += distance(at(i - 1), at(i));
     return sum;
   }
 
@@ -309,13 +317,7 @@ class FaceImport {
                      {std::min(tight.high.x, box.high.x), std::min(tight.high.y, box.high.y)}};
       surface = whole_.over(held);
     }
-    if (!surface) {
-      const std::optional<base::Place> place = surface.error().place;
-      Refusal refusal{"face_surface", surface.error().message};
-      if (place && place->u && place->v) refusal.uv = Point{*place->u, *place->v};
-      if (place && place->x && place->y && place->z) refusal.at = Point3{*place->x, *place->y, *place->z};
-      return refusal;
-    }
+    if (!surface) return surface_refusal(surface.error());
     surface_ = *surface;
     return hold_in_chart();
   }
@@ -362,6 +364,24 @@ class FaceImport {
     for (Piece& line : lines_) {
       if (auto refusal = check_space(line)) return refusal;
     }
+    if (auto refusal = check_crossing()) return refusal;
+    return check_areas();
+  }
+
+  std::optional<Refusal> check_crossing() {
+    const auto crossing = crossing_of(*surface_, loops_, options_.gap_part * diagonal_);
+    if (!crossing) return std::nullopt;
+    const std::string which = crossing->first == crossing->second
+                                  ? fmt::format("{} crosses itself", crossing->first)
+                                  : fmt::format("{} and {} cross", crossing->first, crossing->second);
+    const Point3 at = surface_->at(crossing->uv);
+    if (!crossing->at_end)
+      return Refusal{"face_crossing", which + " in the chart of the surface; mend the face", crossing->uv, at};
+    report_.say("edges_cross", which + " in the chart of the surface, by less than what gaps may be", crossing->uv, at);
+    return std::nullopt;
+  }
+
+  std::optional<Refusal> check_areas() {
     for (auto loop = loops_.begin(); loop != loops_.end();) {
       const std::vector<Point> places = outline(*loop);
       const Box box = geom::box_of(places);
@@ -374,15 +394,6 @@ class FaceImport {
       report_.say("loop_dropped", "a loop encloses no area; left out", at, surface_->at(at));
       loop = loops_.erase(loop);
     }
-    const auto crossing = crossing_of(*surface_, loops_, options_.gap_part * diagonal_);
-    if (!crossing) return std::nullopt;
-    const std::string which = crossing->first == crossing->second
-                                  ? fmt::format("{} crosses itself", crossing->first)
-                                  : fmt::format("{} and {} cross", crossing->first, crossing->second);
-    const Point3 at = surface_->at(crossing->uv);
-    if (!crossing->at_end)
-      return Refusal{"face_crossing", which + " in the chart of the surface; mend the face", crossing->uv, at};
-    report_.say("edges_cross", which + " in the chart of the surface, by less than what gaps may be", crossing->uv, at);
     return std::nullopt;
   }
 
