@@ -120,10 +120,16 @@ struct OffsetShape : Surface::Shape {
     const Jet jet = of.jet(uv);
     const std::optional<Vector3> n = normal(of, uv);
     if (!n) return {jet.at, jet.u, jet.v};  // at a point inside, which no face should hold
+    const Box& chart = of.chart();
+    const double still = 1e-12 * of.size();
+    const bool still_u = geom::length(jet.u) * chart.width() <= still;
+    const bool still_v = geom::length(jet.v) * chart.height() <= still;
     Jet slope = jet;
     if (!normal(jet)) {  // on a side that is one point: the turn of the normal a little inside
-      const Point in = geom::interpolate(uv, of.chart().centre(), 1e-6);
-      slope = of.jet(in);
+      constexpr double little = 1e-6;
+      const Point middle = chart.centre();
+      slope = of.jet(
+          {still_v ? std::lerp(uv.x, middle.x, little) : uv.x, still_v ? uv.y : std::lerp(uv.y, middle.y, little)});
     }
     const Vector3 across = cross(slope.u, slope.v);
     const double size = geom::length(across);
@@ -131,7 +137,6 @@ struct OffsetShape : Surface::Shape {
     const auto turned = [&](Vector3 by) { return (distance / size) * (by - dot(by, *n) * *n); };
     const Vector3 by_u = turned(cross(slope.uu, slope.v) + cross(slope.u, slope.uv));
     const Vector3 by_v = turned(cross(slope.uv, slope.v) + cross(slope.u, slope.vv));
-    const bool still_u = geom::length(jet.u) == 0.0, still_v = geom::length(jet.v) == 0.0;
     return {jet.at + distance * *n, still_u ? Vector3{} : jet.u + by_u, still_v ? Vector3{} : jet.v + by_v};
   }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "shared/io/faces/loops.h"
 
@@ -35,13 +37,16 @@ Vector Bench::periods(Point a, Point b) const {
 
 namespace {
 
+/// May a piece lie whole periods beside its neighbours?
+enum class Periods { None, Any };
+
 /// How the next piece fits behind a place.
 struct Fit {
   Vector by;         ///< Whole periods.
   double gap = 0.0;  ///< Length in space, m.
 };
-Fit fit_of(const Bench& bench, Point end, Point begin) {
-  const Vector by = bench.periods(end, begin);
+Fit fit_of(const Bench& bench, Point end, Point begin, Periods periods = Periods::Any) {
+  const Vector by = periods == Periods::Any ? bench.periods(end, begin) : Vector{};
   return {by, bench.stretch(end, begin + by)};
 }
 
@@ -53,22 +58,21 @@ void say_shifted(const Bench& bench, const Piece& piece, Vector by) {
                    at, bench.at(at));
 }
 
-/// In the order of the file, or nothing where an end is far from the next beginning.
-std::optional<Chain> in_order(const Bench& bench, const Loop& wire) {
+/// In the order given, or nothing where an end is far from the next beginning.
+std::optional<Chain> in_order(const Bench& bench, const Loop& wire, Periods periods) {
   Chain chain{{wire.front()}};
   std::vector<std::pair<std::size_t, Vector>> moved;
   for (std::size_t i = 1; i < wire.size(); ++i) {
     const Piece& last = chain.pieces.back();
-    const Fit fit = fit_of(bench, last.end_at(), wire[i].begin_at());
+    const Fit fit = fit_of(bench, last.end_at(), wire[i].begin_at(), periods);
     if (fit.gap > bench.allowed(last, wire[i])) return std::nullopt;
     const Vector before = moved.empty() ? Vector{} : moved.back().second;
     if (fit.by != before && !last.still && !wire[i].still) moved.emplace_back(i, fit.by);
     chain.pieces.push_back(shifted(wire[i], fit.by));
   }
-  const Point begin = wire.front().begin_at(), end = chain.pieces.back().end_at();
-  const Fit fit = fit_of(bench, end, begin);
-  if (fit.gap > bench.allowed(chain.pieces.back(), wire.front())) return std::nullopt;
-  chain.round = fit.by;
+  const Fit home = fit_of(bench, chain.pieces.back().end_at(), wire.front().begin_at());
+  if (home.gap > bench.allowed(chain.pieces.back(), wire.front())) return std::nullopt;
+  chain.round = home.by;
   for (const auto& [i, by] : moved) say_shifted(bench, wire[i], by);
   return chain;
 }
@@ -78,13 +82,15 @@ struct Next {
   std::size_t piece = 0;
   Fit fit{{}, std::numeric_limits<double>::infinity()};
   bool turn = false;
+  [[nodiscard]] bool any() const { return std::isfinite(fit.gap); }
 };
-Next next_of(const Bench& bench, const Piece& last, const Loop& left) {
+Next next_of(const Bench& bench, const Piece& last, const Loop& left, Periods periods) {
   Next best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < left.size(); ++i) {
     for (const bool turn : {false, true}) {
-      const Fit fit = fit_of(bench, last.end_at(), turn ? left[i].end_at() : left[i].begin_at());
+      if (turn && periods == Periods::None) continue;  // as the file has them first
+      const Fit fit = fit_of(bench, last.end_at(), turn ? left[i].end_at() : left[i].begin_at(), periods);
       const double most = bench.allowed(last, left[i]);
       if (fit.gap > most) continue;
       // What must be turned comes last, what has another vertex or needs a period before that.
@@ -98,7 +104,7 @@ Next next_of(const Bench& bench, const Piece& last, const Loop& left) {
 }
 
 Refusal open_at(const Bench& bench, const Piece& last, const Loop& left, const Piece& first) {
-  double least = bench.stretch(last.end_at(), first.begin_at() + bench.periods(last.end_at(), first.begin_at()));
+  double least = fit_of(bench, last.end_at(), first.begin_at()).gap;
   for (const Piece& piece : left) least = std::min(least, fit_of(bench, last.end_at(), piece.begin_at()).gap);
   const Point at = last.end_at();
   return {"face_open",
@@ -108,13 +114,53 @@ Refusal open_at(const Bench& bench, const Piece& last, const Loop& left, const P
           at, bench.at(at)};
 }
 
-void say_order(const Bench& bench, const std::vector<Chain>& chains, bool turned) {
-  const Point at = chains.front().pieces.front().begin_at();
-  if (turned)
+struct Sorted {
+  std::vector<Chain> chains;
+  bool any_turned = false, any_shifted = false;
+};
+
+/// Each piece behind the one at whose end it begins, from the first of the wire on.
+Outcome<Sorted> sorted(const Bench& bench, Loop wire, Periods periods) {
+  Sorted made;
+  while (!wire.empty()) {
+    Chain chain{{wire.front()}};
+    wire.erase(wire.begin());
+    while (true) {
+      const Piece last = chain.pieces.back(), first = chain.pieces.front();
+      const Fit home = fit_of(bench, last.end_at(), first.begin_at());
+      const bool closes = home.gap <= bench.allowed(last, first);
+      const Next next = next_of(bench, last, wire, periods);
+      if (!closes && !next.any()) return open_at(bench, last, wire, first);
+      // Home at once; round a period only where nothing follows in its own place.
+      const bool meets = next.any() && !next.turn && next.fit.by == Vector{};
+      const bool better =
+          meets && (home.by != Vector{} || (last.end != first.start && wire[next.piece].start == last.end));
+      if (closes && !better) {
+        chain.round = home.by;
+        break;
+      }
+      made.any_turned = made.any_turned || next.turn;
+      made.any_shifted = made.any_shifted || next.fit.by != Vector{};
+      Piece piece = next.turn ? turned(wire[next.piece]) : wire[next.piece];
+      chain.pieces.push_back(shifted(std::move(piece), next.fit.by));
+      wire.erase(wire.begin() + static_cast<std::ptrdiff_t>(next.piece));
+    }
+    made.chains.push_back(std::move(chain));
+  }
+  return made;
+}
+
+void say_order(const Bench& bench, const Sorted& sorted) {
+  const Point at = sorted.chains.front().pieces.front().begin_at();
+  if (sorted.any_turned)
     bench.report.say("edge_turned", "edges of the loop run against each other; turned to follow each other", at,
                      bench.at(at));
-  if (chains.size() > 1)
-    bench.report.say("loop_split", fmt::format("a wire holds {} loops; taken apart", chains.size()), at, bench.at(at));
+  if (sorted.any_shifted)
+    bench.report.say("period_shifted", "edges of the loop lie a period beside each other in the chart; moved", at,
+                     bench.at(at));
+  if (sorted.chains.size() > 1)
+    bench.report.say("loop_split", fmt::format("a wire holds {} loops; taken apart", sorted.chains.size()), at,
+                     bench.at(at));
   else
     bench.report.say("loop_reordered", "the edges of a wire are not in order; put so that ends meet", at, bench.at(at));
 }
@@ -123,34 +169,19 @@ void say_order(const Bench& bench, const std::vector<Chain>& chains, bool turned
 
 Outcome<std::vector<Chain>> chained(const Bench& bench, Loop wire) {
   if (wire.empty()) return std::vector<Chain>{};
-  if (std::optional<Chain> chain = in_order(bench, wire)) return std::vector<Chain>{*std::move(chain)};
-  std::vector<Chain> chains;
-  bool any_turned = false;
-  while (!wire.empty()) {
-    Chain chain{{wire.front()}};
-    wire.erase(wire.begin());
-    while (true) {
-      const Piece& last = chain.pieces.back();
-      const Piece& first = chain.pieces.front();
-      const Fit home = fit_of(bench, last.end_at(), first.begin_at());
-      const bool closes = home.gap <= bench.allowed(last, first);
-      const Next next = next_of(bench, last, wire);
-      const bool follows = std::isfinite(next.fit.gap);
-      if (!closes && !follows) return open_at(bench, last, wire, first);
-      const bool better = follows && !next.turn && last.end != first.start && wire[next.piece].start == last.end;
-      if (closes && !better) {
-        chain.round = home.by;
-        break;
-      }
-      Piece piece = next.turn ? turned(wire[next.piece]) : wire[next.piece];
-      any_turned = any_turned || next.turn;
-      chain.pieces.push_back(shifted(std::move(piece), next.fit.by));
-      wire.erase(wire.begin() + static_cast<std::ptrdiff_t>(next.piece));
+  const Loop backwards(wire.rbegin(), wire.rend());  // the format has lists of either order
+  for (const Periods periods : {Periods::None, Periods::Any}) {
+    for (const Loop* order : {&std::as_const(wire), &backwards}) {
+      if (std::optional<Chain> chain = in_order(bench, *order, periods)) return std::vector<Chain>{*std::move(chain)};
     }
-    chains.push_back(std::move(chain));
+    auto made = sorted(bench, wire, periods);
+    if (const Sorted* done = std::get_if<Sorted>(&made)) {
+      say_order(bench, *done);
+      return done->chains;
+    }
+    if (periods == Periods::Any) return std::get<Refusal>(made);
   }
-  say_order(bench, chains, any_turned);
-  return chains;
+  return std::vector<Chain>{};
 }
 
 Loop joined(const Bench& bench, Loop loop) {

@@ -15,14 +15,16 @@ using geom::Box;
 using geom::Point;
 using geom::Point3;
 
-surf::trim::SharedCurveId SharedEdges::id_of(brep::Index edge, const brep::Placement& placement) {
+bool same_place(const brep::Placement& a, const brep::Placement& b) {
   constexpr double close = 1e-9;
+  const double size = std::max(1.0, length(a.origin - Point3{}));
+  return length(a.x - b.x) < close && length(a.y - b.y) < close && length(a.z - b.z) < close &&
+         distance(a.origin, b.origin) < close * size;
+}
+
+surf::trim::SharedCurveId SharedEdges::id_of(brep::Index edge, const brep::Placement& placement) {
   for (const Known& known : known_[edge]) {
-    const brep::Placement& p = known.placement;
-    const double size = std::max(1.0, length(p.origin - Point3{}));
-    if (length(p.x - placement.x) < close && length(p.y - placement.y) < close && length(p.z - placement.z) < close &&
-        distance(p.origin, placement.origin) < close * size)
-      return known.id;
+    if (same_place(known.placement, placement)) return known.id;
   }
   known_[edge].push_back({placement, next_});
   return next_++;
@@ -34,6 +36,15 @@ Refusal curve_refusal(const std::string& name, const base::Error& error) {
   return {"face_curve", fmt::format("{} cannot be used: {}", name, error.message)};
 }
 
+Refusal surface_refusal(const base::Error& error) {
+  Refusal refusal{"face_surface", error.message};
+  if (!error.place) return refusal;
+  const base::Place& place = *error.place;
+  if (place.u && place.v) refusal.uv = Point{*place.u, *place.v};
+  if (place.x && place.y && place.z) refusal.at = Point3{*place.x, *place.y, *place.z};
+  return refusal;
+}
+
 class FaceImport {
  public:
   FaceImport(const brep::Model& model, const brep::TrimmedFace& face, SharedEdges& shared, const ImportOptions& options,
@@ -42,7 +53,7 @@ class FaceImport {
 
   Outcome<surf::trim::TrimmedSurface> run() {
     auto whole = whole_surface(*model_.surfaces[face_.surface], face_.placement);
-    if (!whole) return Refusal{"face_surface", whole.error().message, std::nullopt, std::nullopt};
+    if (!whole) return surface_refusal(whole.error());
     whole_ = *std::move(whole);
     for (const auto& wire : face_.loops) {
       if (auto refusal = add_wire(wire)) return *refusal;
@@ -166,7 +177,7 @@ class FaceImport {
     stop_at_points(box.low.x, box.high.x, whole_.points_u);
     stop_at_points(box.low.y, box.high.y, whole_.points_v);
     auto surface = whole_.over(box);
-    if (!surface) return Refusal{"face_surface", surface.error().message};
+    if (!surface) return surface_refusal(surface.error());
     scratch_ = *surface;
     measure();
     std::optional<Refusal> refusal;
@@ -200,7 +211,7 @@ class FaceImport {
     };
     for_each_piece([&](const Piece& piece) {
       if (piece.drawn) {
-        for (const double t : parameters_along(piece)) add(scratch_->at(piece.at(t)));
+        for (const Point uv : spread(piece)) add(scratch_->at(uv));
       } else if (piece.space) {
         for (int i = 0; i <= 16; ++i) add(piece.space->at(std::lerp(piece.space_from, piece.space_to, i / 16.0)));
       }
@@ -210,11 +221,14 @@ class FaceImport {
   }
 
   [[nodiscard]] double length_of(const Piece& piece) const {
-    if (piece.space) return std::abs(piece.space->length(piece.space_from, piece.space_to));
+    constexpr int chords = 64;
+    const auto at = [&](int i) {
+      const double part = static_cast<double>(i) / chords;
+      return piece.space ? piece.space->at(std::lerp(piece.space_from, piece.space_to, part))
+                         : scratch_->at(piece.at(std::lerp(piece.from, piece.to, part)));
+    };
     double sum = 0.0;
-    const std::vector<double> along = parameters_along(piece);
-    for (std::size_t i = 1; i < along.size(); ++i)
-      sum += distance(scratch_->at(piece.at(along[i - 1])), scratch_->at(piece.at(along[i])));
+    for (int i = 1; i <= chords; ++i) sum += distance(at(i - 1), at(i));
     return sum;
   }
 
@@ -303,13 +317,7 @@ class FaceImport {
                      {std::min(tight.high.x, box.high.x), std::min(tight.high.y, box.high.y)}};
       surface = whole_.over(held);
     }
-    if (!surface) {
-      const std::optional<base::Place> place = surface.error().place;
-      Refusal refusal{"face_surface", surface.error().message};
-      if (place && place->u && place->v) refusal.uv = Point{*place->u, *place->v};
-      if (place && place->x && place->y && place->z) refusal.at = Point3{*place->x, *place->y, *place->z};
-      return refusal;
-    }
+    if (!surface) return surface_refusal(surface.error());
     surface_ = *surface;
     return hold_in_chart();
   }
@@ -356,6 +364,24 @@ class FaceImport {
     for (Piece& line : lines_) {
       if (auto refusal = check_space(line)) return refusal;
     }
+    if (auto refusal = check_crossing()) return refusal;
+    return check_areas();
+  }
+
+  std::optional<Refusal> check_crossing() {
+    const auto crossing = crossing_of(*surface_, loops_, options_.gap_part * diagonal_);
+    if (!crossing) return std::nullopt;
+    const std::string which = crossing->first == crossing->second
+                                  ? fmt::format("{} crosses itself", crossing->first)
+                                  : fmt::format("{} and {} cross", crossing->first, crossing->second);
+    const Point3 at = surface_->at(crossing->uv);
+    if (!crossing->at_end)
+      return Refusal{"face_crossing", which + " in the chart of the surface; mend the face", crossing->uv, at};
+    report_.say("edges_cross", which + " in the chart of the surface, by less than what gaps may be", crossing->uv, at);
+    return std::nullopt;
+  }
+
+  std::optional<Refusal> check_areas() {
     for (auto loop = loops_.begin(); loop != loops_.end();) {
       const std::vector<Point> places = outline(*loop);
       const Box box = geom::box_of(places);
@@ -368,15 +394,6 @@ class FaceImport {
       report_.say("loop_dropped", "a loop encloses no area; left out", at, surface_->at(at));
       loop = loops_.erase(loop);
     }
-    const auto crossing = crossing_of(*surface_, loops_, options_.gap_part * diagonal_);
-    if (!crossing) return std::nullopt;
-    const std::string which = crossing->first == crossing->second
-                                  ? fmt::format("{} crosses itself", crossing->first)
-                                  : fmt::format("{} and {} cross", crossing->first, crossing->second);
-    const Point3 at = surface_->at(crossing->uv);
-    if (!crossing->at_end)
-      return Refusal{"face_crossing", which + " in the chart of the surface; mend the face", crossing->uv, at};
-    report_.say("edges_cross", which + " in the chart of the surface, by less than what gaps may be", crossing->uv, at);
     return std::nullopt;
   }
 

@@ -8,6 +8,9 @@
 
 namespace dobra::io::faces {
 
+/// The same but for rounding, by the size of what is moved.
+bool same_place(const brep::Placement& a, const brep::Placement& b);
+
 /// Edges of the file in the world: one number for each shape at each place.
 class SharedEdges {
  public:

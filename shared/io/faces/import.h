@@ -23,17 +23,17 @@ struct ImportOptions {
 
 struct Imported {
   std::vector<surf::trim::TrimmedSurface> faces;
-  /// Codes of what was mended: gap_closed, edge_dropped, edge_twice, edge_turned, loop_reordered, loop_split,
-  /// loop_turned, loop_dropped, period_shifted, seam_added, side_added, natural_bounds, curve_projected, curve_held,
-  /// curves_apart, edges_cross. Codes of faces left out, face_ and the reason: face_surface, face_curve, face_open,
-  /// face_endless, face_crossing, face_apart, face_outside, face_empty.
+  /// Codes of what was mended: face_twice, gap_closed, edge_dropped, edge_twice, edge_turned, loop_reordered,
+  /// loop_split, loop_turned, loop_dropped, period_shifted, seam_added, side_added, natural_bounds, curve_projected,
+  /// curve_held, curves_apart, edges_cross. Codes of faces left out, face_ and the reason: face_surface, face_curve,
+  /// face_open, face_endless, face_crossing, face_apart, face_outside, face_empty.
   std::vector<surf::mesh::Finding> findings;
   std::size_t refused = 0;  ///< Faces that are left out, each with one finding.
 };
 
-/// Each face of the model is among `faces` or named in `findings`, in the order of the file. Edges that faces share
-/// have one SharedCurveId; an edge is named "edge 7", a face "face 3". A mirror in a placement turns `reversed`, so
-/// that what was outside stays outside.
+/// Each face of the model, once where shells share it, is among `faces` or named in `findings`, in the order of the
+/// file. Edges that faces share have one SharedCurveId; an edge is named "edge 7", a face "face 3". A mirror in a
+/// placement turns `reversed`, so that what was outside stays outside.
 /// @error those of brep::faces_of
 /// @cost O(n^2) in the pieces of a face
 base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOptions& options = {});

@@ -67,6 +67,14 @@ std::vector<double> parameters_along(const Piece& piece, int parts) {
   return all;
 }
 
+std::vector<Point> spread(const Piece& piece) {
+  constexpr int places = 16;
+  std::vector<Point> all;
+  for (const double t : parameters_along(piece)) all.push_back(piece.at(t));
+  for (int i = 1; i < places; ++i) all.push_back(piece.at(std::lerp(piece.from, piece.to, i / 16.0)));
+  return all;
+}
+
 std::vector<Point> outline(const Loop& loop) {
   std::vector<Point> places;
   for (const Piece& piece : loop) {

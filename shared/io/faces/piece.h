@@ -47,6 +47,8 @@ Piece reaching(const Piece& piece, geom::Point begin, geom::Point end);
 
 /// Parameters along the way, ends included: one part where it is straight, else `parts` between breaks.
 std::vector<double> parameters_along(const Piece& piece, int parts = 12);
+/// Places at equal steps, and at breaks: where a straight piece lies on a surface that is not.
+std::vector<geom::Point> spread(const Piece& piece);
 /// Places along a loop, each once.
 std::vector<geom::Point> outline(const Loop& loop);
 double area_of(const std::vector<geom::Point>& outline);  ///< Positive anticlockwise.
