@@ -170,11 +170,11 @@ Mesher::View ChartMesher::view() const {
   return view;
 }
 
-ChartMesh ChartMesher::mesh() const {
+FaceMesh ChartMesher::mesh() const {
   DOBRA_CHECK(done());
   const State& s = *state_;
   auto extracted = dobra::mesh::delaunay::extract(s.domain, s.scaled_input);
-  ChartMesh made{std::move(extracted.mesh), {}, std::move(extracted.node_of_point)};
+  FaceMesh made{std::move(extracted.mesh), {}};
   made.at.resize(made.chart.points.size());
   for (Kernel::Vertex v = 0; v < s.domain.kernel.vertex_count(); ++v) {
     const NodeId node = extracted.node_of_vertex[v];
@@ -183,12 +183,13 @@ ChartMesh ChartMesher::mesh() const {
     made.chart.points[node.index()] = s.chart.unscaled(s.domain.kernel.point(v));
   }
   for (std::size_t p = 0; p < s.input.at.size(); ++p) {
-    if (made.node_of_point[p].valid()) made.chart.points[made.node_of_point[p].index()] = s.input.chart.points[p];
+    const NodeId node = extracted.node_of_point[p];
+    if (node.valid()) made.chart.points[node.index()] = s.input.chart.points[p];
   }
   return made;
 }
 
-Result<ChartMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options, const Progress& progress) {
+Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options, const Progress& progress) {
   constexpr std::size_t between_checks = 8192;
   DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, options, progress));
   while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));

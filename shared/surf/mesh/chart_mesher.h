@@ -6,22 +6,14 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 #include "shared/base/progress.h"
 #include "shared/mesh/front/smooth.h"
 #include "shared/mesh/front/triangulate.h"
+#include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/chart_input.h"
-#include "shared/surf/mesh/surface_mesh.h"
 
 namespace dobra::surf::mesh {
-
-/// A mesh of one face.
-struct ChartMesh {
-  dobra::mesh::TriangleMesh chart;  ///< In (u, v): anticlockwise there; the given points come first, in their order.
-  std::vector<geom::Point3> at;     ///< One a node: where it is in space; a given one where it was given.
-  std::vector<NodeId> node_of_point;  ///< One a given point: its node; none if it lies outside.
-};
 
 struct ChartMeshOptions {
   SizeOptions sizes = {};
@@ -48,7 +40,7 @@ class ChartMesher {
   /// Size wanted at a place of the chart, m in space.
   [[nodiscard]] double size_at(geom::Point uv) const;
   /// @pre done
-  [[nodiscard]] ChartMesh mesh() const;
+  [[nodiscard]] FaceMesh mesh() const;
 
  private:
   struct State;
@@ -66,7 +58,7 @@ class ChartMesher {
 ///         the place in the chart; InvalidOption: sizes; DegenerateCurve: no normal inside, with the place;
 ///         TooManyElements with advice; Cancelled.
 /// @cost   O(n log n) in the number n of triangles; about three jets of the surface a node.
-base::Result<ChartMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options = {},
+base::Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options = {},
                                    const base::Progress& progress = {});
 
 }  // namespace dobra::surf::mesh
