@@ -65,7 +65,14 @@ class Smoother {
     Star before = star(here.at);
     const Point given = here.at;
     const auto keeps_least = [&](const Star& after) { return after.least >= before.least; };
-    approach(here, before, mean_of_neighbours(), options_.phi, keeps_least);
+    if (options_.equilateral) {
+      const auto grows = [&](const Star& after) {
+        return after.sum > before.sum && after.least >= std::min(before.least, options_.spared);
+      };
+      approach(here, before, mean_of_tops(here.at), options_.phi, grows);
+    } else {
+      approach(here, before, mean_of_neighbours(), options_.phi, keeps_least);
+    }
     if (before.least < options_.rescue) {
       // The worst triangle may gain a part of what the others lose.
       const auto gains = [&](const Star& after) {
@@ -105,6 +112,21 @@ class Smoother {
     Vector sum;
     for (std::size_t i = 0; i + 1 < ring_.size(); ++i) sum = sum + (ring_[i] - ring_[0]);
     return ring_[0] + sum / static_cast<double>(ring_.size() - 1);
+  }
+
+  /// The mean of the places where each triangle of the star would be equilateral, by what a step from there costs it:
+  /// near it the sum of the alphas has its greatest value.
+  [[nodiscard]] Point mean_of_tops(Point here) const {
+    Vector sum;
+    double weights = 0.0;
+    for (std::size_t i = 1; i < ring_.size(); ++i) {
+      const Vector base = ring_[i] - ring_[i - 1];
+      const Point top = geom::midpoint(ring_[i], ring_[i - 1]) + 0.5 * std::numbers::sqrt3 * space_.left_of(frame_, base);
+      const double weight = 1.0 / squared(base);
+      sum = sum + weight * (top - here);
+      weights += weight;
+    }
+    return here + sum / weights;
   }
 
   /// The mean of the places where each triangle of the star would be equilateral, bad ones counting more.
