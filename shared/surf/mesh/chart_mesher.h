@@ -12,6 +12,7 @@
 #include "shared/mesh/front/triangulate.h"
 #include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/chart_input.h"
+#include "shared/surf/mesh/tidy.h"
 
 namespace dobra::surf::mesh {
 
@@ -19,7 +20,8 @@ struct ChartMeshOptions {
   SizeOptions sizes = {};
   dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
   dobra::mesh::front::SmoothOptions smoothing = {.enough = 0.98, .equilateral = true, .rescue = 0.9};  ///< Of each round.
-  int rounds = 3;                                                                 ///< Of flips and smoothing.
+  int rounds = 3;         ///< Of flips and smoothing.
+  TidyOptions tidy = {};  ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.
