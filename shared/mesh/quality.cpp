@@ -16,7 +16,7 @@ double alpha(Point a, Point b, Point c) {
   return sides == 0.0 ? 0.0 : 2.0 * std::numbers::sqrt3 * geom::cross(ab, ac) / sides;
 }
 
-double alpha(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
+double alpha_in_space(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
   const geom::Vector3 ab = b - a, ac = c - a, bc = c - b;
   const double sides = dot(ab, ab) + dot(ac, ac) + dot(bc, bc);
   return sides == 0.0 ? 0.0 : 2.0 * std::numbers::sqrt3 * geom::length(cross(ab, ac)) / sides;

@@ -15,7 +15,7 @@ namespace dobra::mesh {
 /// the corners run clockwise. 0 if all three coincide.
 double alpha(geom::Point a, geom::Point b, geom::Point c);
 /// The same in space, where no triangle runs clockwise.
-double alpha(geom::Point3 a, geom::Point3 b, geom::Point3 c);
+double alpha_in_space(geom::Point3 a, geom::Point3 b, geom::Point3 c);
 
 /// Least and greatest angle of a triangle.
 struct AngleRange {

@@ -91,7 +91,10 @@ ChartFoot foot_on(const EdgeInSpace& edge, Point uv, const Metric& metric, doubl
       at_q = distance(q);
     }
   }
-  if (at_p < least) near = p, least = at_p;
+  if (at_p < least) {
+    near = edge.next_to(edge.surface().at(uv), p, low, high);
+    least = std::min(at_p, distance(near));
+  }
   return {near, least};
 }
 

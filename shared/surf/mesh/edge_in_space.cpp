@@ -72,8 +72,9 @@ double EdgeInSpace::parameter_at(double length) const {
   double s = std::lerp(low, high, (length - travelled_[i]) / (travelled_[i + 1] - travelled_[i]));
   for (int step = 0; step < 20; ++step) {
     const double excess = travelled(s) - length;
-    (excess > 0.0 ? high : low) = s;
     const double rate = speed(s);
+    if (std::abs(excess) <= 1e-15 * rate) break;
+    (excess > 0.0 ? high : low) = s;
     const double next = rate > 0.0 ? s - excess / rate : 0.5 * (low + high);
     const double inside = next > low && next < high ? next : 0.5 * (low + high);
     if (std::abs(inside - s) <= 1e-14) break;

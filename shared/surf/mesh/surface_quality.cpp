@@ -67,7 +67,7 @@ Result<void> check_triangles(const SurfaceMesh& mesh) {
     }
     const Corners& c = mesh.triangles[t];
     constexpr double flat = 1e-12;  // of an equilateral triangle
-    if (!(dobra::mesh::alpha(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])) > flat)) {
+    if (!(dobra::mesh::alpha_in_space(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])) > flat)) {
       return broken(mesh, "the triangle has no area", t);
     }
   }
@@ -170,7 +170,7 @@ SurfaceQuality quality_of(const SurfaceMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Corners& c = mesh.triangles[t];
     const Point3 p = mesh.point(c[0]), q = mesh.point(c[1]), r = mesh.point(c[2]);
-    const double shape = dobra::mesh::alpha(p, q, r);
+    const double shape = dobra::mesh::alpha_in_space(p, q, r);
     sum += shape;
     constexpr double good_shape = 0.90;
     good += shape >= good_shape ? 1U : 0U;
