@@ -17,6 +17,7 @@
 #include "quebra/meshing/meshing.h"
 #include "quebra/meshing/zone.h"
 #include "quebra/surfaces/mesh_step.h"
+#include "quebra/surfaces/shell.h"
 #include "shared/operations/offset_step.h"
 
 namespace quebra::core {
@@ -254,6 +255,9 @@ scenario::Program make_program() {
           "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.",
           meshing::add_half_crack),
       mesh_operation(),
+      scenario::make_operation<model::Model, surfaces::ShellParams>(
+          "shell", "Shell", "Thickness, materials, supports and loads of a mesh of surfaces: decks for other programs.",
+          surfaces::add_shell, {.quantities = surfaces::add_shell_quantities, .outputs = surfaces::add_shell_outputs}),
       problem_operation(),
       scenario::make_operation<model::Model, analysis::AnalyseParams>(
           "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", analysis::add_analysis,

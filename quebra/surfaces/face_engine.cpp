@@ -1,35 +1,42 @@
 #include "quebra/surfaces/face_engine.h"
 
-#include "shared/mesh/front/triangulate.h"
-#include "shared/surf/measure.h"
+#include "shared/surf/mesh/chart_mesher.h"
+#include "shared/surf/paper/paper_mesher.h"
 
 namespace quebra::surfaces {
 
 using namespace dobra;
 using base::Result;
 
-Result<surf::mesh::FaceMesh> mesh_face(const surf::mesh::ChartInput& input, const SurfaceMeshOptions& options,
-                                       const base::Progress& progress) {
-  const geom::Box& box = input.surface.chart();
-  const geom::Point middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
-  const double u = surf::length(input.surface, {box.low.x, middle.y}, {box.high.x, middle.y}) / box.width();
-  const double v = surf::length(input.surface, {middle.x, box.low.y}, {middle.x, box.high.y}) / box.height();
-  mesh::delaunay::MeshInput scaled = input.chart;
-  for (geom::Point& p : scaled.points) p = {u * p.x, v * p.y};
-  for (auto& p : scaled.regions) p.at = {u * p.at.x, v * p.at.y};
-  for (auto& p : scaled.holes) p = {u * p.x, v * p.y};
-  for (auto& p : scaled.sizes) p.at = {u * p.at.x, v * p.at.y};
-  mesh::front::MeshOptions plane;
-  plane.sizes.growth = options.sizes.growth;
-  plane.sizes.max_size = options.sizes.largest;
-  DOBRA_TRY(auto made, mesh::front::triangulate(scaled, plane, progress));
-  surf::mesh::FaceMesh face;
-  for (geom::Point& p : made.points) p = {p.x / u, p.y / v};
-  for (std::size_t i = 0; i < input.chart.points.size(); ++i) made.points[i] = input.chart.points[i];
-  for (std::size_t i = 0; i < made.points.size(); ++i)
-    face.at.push_back(i < input.at.size() ? input.at[i] : input.surface.at(made.points[i]));
-  face.chart = std::move(made);
-  return face;
+namespace {
+
+/// To the end, looking now and then whether it should stop.
+template <class Mesher>
+Result<void> finish(Mesher& mesher, const base::Progress& progress) {
+  constexpr std::size_t between_checks = 8192;
+  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
+  return {};
+}
+
+}  // namespace
+
+Result<FilledFace> mesh_face(const surf::mesh::ChartInput& input, const SurfaceMeshOptions& options,
+                             const base::Progress& progress) {
+  if (options.engine == SurfaceEngine::Paper) {
+    surf::paper::PaperOptions paper{
+        .largest = options.sizes.largest, .turn = options.sizes.turn, .passes = options.smoothing};
+    paper.most_triangles = options.most_triangles;
+    DOBRA_TRY(auto mesher, surf::paper::PaperMesher::start(input, paper, progress));
+    DOBRA_TRY_VOID(finish(mesher, progress));
+    return FilledFace{mesher.mesh(), mesher.findings()};
+  }
+  surf::mesh::ChartMeshOptions front{.sizes = options.sizes};
+  front.points.max_triangles = options.most_triangles;
+  front.smoothing.passes = options.smoothing;
+  DOBRA_TRY(auto mesher, surf::mesh::ChartMesher::start(input, front, progress));
+  DOBRA_TRY_VOID(finish(mesher, progress));
+  surf::mesh::ChartMesh made = mesher.mesh();
+  return FilledFace{{std::move(made.chart), std::move(made.at)}, {}};
 }
 
 }  // namespace quebra::surfaces

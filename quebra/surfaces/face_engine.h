@@ -6,9 +6,13 @@
 
 namespace quebra::surfaces {
 
+struct FilledFace {
+  dobra::surf::mesh::FaceMesh mesh;
+  std::vector<dobra::surf::mesh::Finding> findings;
+};
+
 /// @error those of the engines
-dobra::base::Result<dobra::surf::mesh::FaceMesh> mesh_face(const dobra::surf::mesh::ChartInput& input,
-                                                           const SurfaceMeshOptions& options,
-                                                           const dobra::base::Progress& progress);
+dobra::base::Result<FilledFace> mesh_face(const dobra::surf::mesh::ChartInput& input, const SurfaceMeshOptions& options,
+                                          const dobra::base::Progress& progress);
 
 }  // namespace quebra::surfaces

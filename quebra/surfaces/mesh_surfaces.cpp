@@ -62,7 +62,8 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
     auto face = mesh_face(division.faces[f], options,
                           progress.part(from, from + 0.8 / static_cast<double>(division.faces.size())));
     if (!face) return in_written(face.error(), set, f);
-    faces.push_back(*std::move(face));
+    faces.push_back(std::move(face->mesh));
+    meshed.findings.insert(meshed.findings.end(), face->findings.begin(), face->findings.end());
   }
   done("fill");
   DOBRA_TRY(meshed.mesh, surf::mesh::assemble(set.faces, division, faces));

@@ -61,30 +61,6 @@ std::vector<Point> samples(const std::vector<ChartEdge>& edges) {
   return points;
 }
 
-ChartEdge side(const std::string& name, Point from, Point to) {
-  auto line = Curve::line({from.x, from.y, 0.0}, {to.x, to.y, 0.0});
-  return {.curve = *std::move(line), .name = name};
-}
-
-/// The sides of the chart, anticlockwise from the bottom.
-ChartLoop whole_chart(const surf::Surface& surface, const std::string& name) {
-  const geom::Box& box = surface.chart();
-  const Point a = box.low, b{box.high.x, box.low.y}, c = box.high, d{box.low.x, box.high.y};
-  ChartLoop loop{{side(name + "_bottom", a, b), side(name + "_right", b, c), side(name + "_top", c, d),
-                  side(name + "_left", d, a)}};
-  return loop;
-}
-
-ChartLoop turned(const std::vector<ChartEdge>& edges) {
-  ChartLoop loop;
-  for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
-    loop.edges.push_back(*edge);
-    std::swap(loop.edges.back().from, loop.edges.back().to);
-    loop.edges.back().against = !loop.edges.back().against;
-  }
-  return loop;
-}
-
 bool inside(const std::vector<Point>& contour, Point p) {
   bool in = false;
   for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
@@ -146,8 +122,9 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
   const geom::Box& box = surface_.chart();
   for (const Point p : samples(drawn.edges)) {
     const double wide = 1e-9 * box.width(), high = 1e-9 * box.height();
-    if (p.x >= box.low.x - wide && p.x <= box.high.x + wide && p.y >= box.low.y - high && p.y <= box.high.y + high)
-      continue;
+    const bool in_u = surface_.closed_u() || (p.x >= box.low.x - wide && p.x <= box.high.x + wide);
+    const bool in_v = surface_.closed_v() || (p.y >= box.low.y - high && p.y <= box.high.y + high);
+    if (in_u && in_v) continue;
     const Point low = units_.out(box.low), top = units_.out(box.high);
     Error error =
         refused(fmt::format("it leaves the chart of surface '{}', which goes from u = {:.6g} to {:.6g} and from "
@@ -205,55 +182,151 @@ void Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
   }
 }
 
-Result<std::vector<TrimmedSurface>> Trimming::faces(std::vector<surf::mesh::Finding>&) const {
-  struct Part {
-    std::vector<Point> contour;
-    TrimmedSurface face;
+namespace {
+
+/// The set of a side of the chart on which an edge lies; empty: it lies on none.
+std::string side_of(const surf::Surface& surface, const ChartEdge& edge) {
+  const geom::Box& box = surface.chart();
+  const auto on = [&](auto&& test) {
+    return test(edge.start()) && test(edge.end()) && test(edge.at(0.5 * (edge.from + edge.to)));
   };
-  std::vector<Part> parts;
-  for (const Drawn& drawn : drawn_) {
-    if (drawn.role != TrimRole::Outline) continue;
-    std::vector<Point> contour = samples(drawn.edges);
-    const bool anticlockwise = signed_area(geom::Polyline{contour, true}) > 0.0;
-    parts.push_back({std::move(contour),
-                     {.surface = surface_,
-                      .loops = {anticlockwise ? ChartLoop{drawn.edges} : turned(drawn.edges)},
-                      .name = name_}});
+  if (!surface.closed_u()) {
+    if (on([&](Point p) { return p.x == box.low.x; })) return "_left";
+    if (on([&](Point p) { return p.x == box.high.x; })) return "_right";
   }
-  if (parts.empty()) {
-    const ChartLoop whole = whole_chart(surface_, name_);
-    parts.push_back({samples(whole.edges), {.surface = surface_, .loops = {whole}, .name = name_}});
+  if (!surface.closed_v()) {
+    if (on([&](Point p) { return p.y == box.low.y; })) return "_bottom";
+    if (on([&](Point p) { return p.y == box.high.y; })) return "_top";
   }
-  const auto part_of = [&](Point p) {
-    const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& one) { return inside(one.contour, p); });
-    return part == parts.end() ? nullptr : &*part;
+  return {};
+}
+
+/// A point inside a face: beside the middle of a chord of its first loop, so near that no other line is between.
+Point inner_point(const TrimmedSurface& face) {
+  std::vector<std::vector<Point>> contours;
+  for (const ChartLoop& loop : face.loops) contours.push_back(samples(loop.edges));
+  const auto within = [&](Point p) {
+    bool in = false;
+    for (const auto& contour : contours) in ^= inside(contour, p);
+    return in;
   };
+  const std::vector<Point>& outer = contours.front();
+  for (const double part : {0.3, 0.1, 0.01, 1e-3, 1e-4, 1e-5}) {
+    for (std::size_t i = 0; i + 1 < outer.size(); i += std::max<std::size_t>(1, outer.size() / 50)) {
+      const geom::Vector chord = outer[i + 1] - outer[i];
+      const Point p = outer[i] + (0.5 * chord + part * geom::Vector{-chord.y, chord.x});
+      if (within(p)) return p;
+    }
+  }
+  return geom::midpoint(outer[0], outer[1]);
+}
+
+ChartLine::Kind kind_of(TrimRole role) {
+  switch (role) {
+    case TrimRole::Crack:
+      return ChartLine::Kind::Crack;
+    case TrimRole::Internal:
+      return ChartLine::Kind::Constraint;
+    default:
+      return ChartLine::Kind::Interface;
+  }
+}
+
+}  // namespace
+
+bool Trimming::encloses(const std::vector<Point>& contour, Point p) const {
+  const geom::Box& box = surface_.chart();
+  for (const double u : {0.0, -1.0, 1.0}) {
+    for (const double v : {0.0, -1.0, 1.0}) {
+      if ((u != 0.0 && !surface_.closed_u()) || (v != 0.0 && !surface_.closed_v())) continue;
+      if (inside(contour, p + geom::Vector{u * box.width(), v * box.height()})) return true;
+    }
+  }
+  return false;
+}
+
+Error Trimming::as_written(Error error) const {
+  if (error.place && error.place->u && error.place->v) {
+    const Point told = units_.out({*error.place->u, *error.place->v});
+    error.place->u = told.x, error.place->v = told.y;
+  }
+  return error;
+}
+
+Result<std::vector<std::size_t>> Trimming::kept(const surf::trim::Recognised& recognised) const {
+  const std::size_t count = recognised.faces().size();
+  std::vector<std::uint8_t> stays(count, 1), asked(count, 0);
+  const bool outlines =
+      std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn& d) { return d.role == TrimRole::Outline; });
+  for (std::size_t f = 0; f < count; ++f) {
+    const Point p = inner_point(recognised.faces()[f]);
+    bool outlined = !outlines;
+    for (const Drawn& drawn : drawn_) {
+      if (drawn.role != TrimRole::Hole && drawn.role != TrimRole::Outline) continue;
+      if (!encloses(samples(drawn.edges), p)) continue;
+      if (drawn.role == TrimRole::Hole) stays[f] = 0;
+      if (drawn.role == TrimRole::Outline) outlined = true;
+    }
+    if (!outlined) stays[f] = 0;
+  }
+  bool some_kept = false;
+  for (const Picked& part : parts_) {
+    auto face = recognised.pick(part.at);
+    if (!face) return as_written(face.error());
+    if (part.fate == PartFate::Keep && stays[*face] == 0)
+      return refused("the part to keep lies in a hole, or outside the outlines", part.at);
+    if (part.fate == PartFate::Keep) asked[*face] = 1, some_kept = true;
+    if (part.fate == PartFate::Drop) stays[*face] = 0;
+  }
+  std::vector<std::size_t> faces;
+  for (std::size_t f = 0; f < count; ++f) {
+    if (stays[f] != 0 && (!some_kept || asked[f] != 0)) faces.push_back(f);
+  }
+  return faces;
+}
+
+Result<std::vector<TrimmedSurface>> Trimming::faces(std::vector<surf::mesh::Finding>& findings) const {
+  std::vector<surf::trim::TrimLine> lines;
   for (const Drawn& drawn : drawn_) {
-    if (drawn.role == TrimRole::Outline) continue;
-    const std::vector<Point> line = samples(drawn.edges);
-    Part* part = part_of(line[line.size() / 2]);
-    if (part == nullptr)
-      return refused(fmt::format("'{}' lies outside what is left of the surface", drawn.name), line[line.size() / 2]);
-    if (drawn.role == TrimRole::Hole) {
-      const bool anticlockwise = signed_area(geom::Polyline{line, true}) > 0.0;
-      part->face.loops.push_back(anticlockwise ? turned(drawn.edges) : ChartLoop{drawn.edges});
-    } else {
-      const auto kind = drawn.role == TrimRole::Crack       ? ChartLine::Kind::Crack
-                        : drawn.role == TrimRole::Interface ? ChartLine::Kind::Interface
-                                                            : ChartLine::Kind::Constraint;
-      part->face.lines.push_back({drawn.edges, kind});
+    const bool bounds = drawn.role == TrimRole::Hole || drawn.role == TrimRole::Outline || drawn.role == TrimRole::Cut;
+    lines.push_back({{drawn.edges, kind_of(drawn.role)}, drawn.closed, bounds});
+  }
+  auto recognised = surf::trim::recognise(surface_, lines);
+  if (!recognised) return as_written(recognised.error());
+  for (const surf::trim::Finding& finding : recognised->findings()) {
+    const Error told = as_written({ErrorCode::BadDomain, finding.message, finding.place});
+    findings.push_back({finding.code, finding.message, *told.place});
+  }
+  DOBRA_TRY(const std::vector<std::size_t> wanted, kept(*recognised));
+  if (wanted.empty()) return Error{ErrorCode::BadDomain, "trims and parts leave nothing of it"};
+  TrimmedSurface face =
+      wanted.size() == 1 ? recognised->faces()[wanted[0]] : recognised->united(wanted, surf::trim::CommonLines::Keep);
+  face.name = name_;
+  for (ChartLoop& loop : face.loops) {
+    for (ChartEdge& edge : loop.edges) {
+      if (!edge.name.empty()) continue;
+      if (const std::string side = side_of(surface_, edge); !side.empty()) edge.name = name_ + side;
     }
   }
   for (const ChartPoint& point : points_) {
-    Part* part = part_of(point.at);
-    if (part == nullptr && parts.size() == 1) part = &parts[0];  // it may be on a border
-    if (part == nullptr)
+    const auto at = recognised->pick(point.at);
+    if (at && std::find(wanted.begin(), wanted.end(), *at) == wanted.end())
       return refused(fmt::format("point '{}' lies outside what is left of the surface", point.name), point.at);
-    part->face.points.push_back(point);
+    face.points.push_back(point);
   }
-  std::vector<TrimmedSurface> made;
-  for (Part& part : parts) made.push_back(std::move(part.face));
-  return made;
+  add_regions(face);
+  return std::vector<TrimmedSurface>{std::move(face)};
+}
+
+/// Parts with names are regions.
+void Trimming::add_regions(TrimmedSurface& face) const {
+  std::vector<std::string> names;
+  for (const Picked& part : parts_) {
+    if (part.fate == PartFate::Drop || part.name.empty()) continue;
+    auto known = std::find(names.begin(), names.end(), part.name);
+    if (known == names.end()) known = names.insert(names.end(), part.name);
+    face.regions.push_back({part.at, static_cast<std::int32_t>(known - names.begin()) + 1, part.name});
+  }
 }
 
 }  // namespace quebra::surfaces

@@ -7,6 +7,7 @@
 
 #include "quebra/surfaces/trim_params.h"
 #include "shared/surf/mesh/surface_mesh.h"
+#include "shared/surf/trim/recognise.h"
 #include "shared/surf/trim/trimmed_surface.h"
 
 namespace quebra::surfaces {
@@ -45,6 +46,12 @@ class Trimming {
     std::string name;
     dobra::geom::Point at;
   };
+  /// Beyond a closed direction by whole periods too.
+  [[nodiscard]] bool encloses(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
+  [[nodiscard]] dobra::base::Error as_written(dobra::base::Error error) const;
+  [[nodiscard]] dobra::base::Result<std::vector<std::size_t>> kept(
+      const dobra::surf::trim::Recognised& recognised) const;
+  void add_regions(dobra::surf::trim::TrimmedSurface& face) const;
   [[nodiscard]] dobra::base::Result<dobra::geom::Point> place_of(const std::optional<dobra::geom::Point>& at,
                                                                  const std::optional<dobra::geom::Point3>& place) const;
   [[nodiscard]] dobra::base::Error refused(const std::string& message, dobra::geom::Point uv) const;
