@@ -48,6 +48,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/io/gis", {"shared/io/lines", "shared/scene"}},
       {"shared/io/drawings", {"shared/io"}},
       {"shared/io/brep", {"shared/io"}},
+      {"shared/io/faces", {"shared/io/brep", "shared/surf/mesh"}},
       {"shared/io/meshes", {"shared/io", "shared/mesh/delaunay"}},
       {"shared/io/formats", {"shared/io/gis", "shared/io/drawings", "shared/io/meshes"}},
       {"shared/scenario", {"shared/io", "shared/scene"}},

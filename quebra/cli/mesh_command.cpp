@@ -15,13 +15,17 @@
 
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
+#include "quebra/cli/surface_report.h"
+#include "quebra/core/input.h"
 #include "quebra/core/layers.h"
+#include "quebra/core/surface_layers.h"
 #include "quebra/meshing/meshing.h"
 #include "quebra/model/mesh_files.h"
 #include "quebra/model/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
+#include "shared/io/faces/import.h"
 #include "shared/io/formats/mesh_file.h"
 #include "shared/scenario/runner.h"
 
@@ -137,10 +141,10 @@ struct Figures {
 };
 
 Figures figures_of(const scenario::Program& program, const scenario::State& state) {
-  constexpr std::array wanted{"work.steps",      "work.triangles", "work.front", "elements",      "quadrilaterals",
-                              "nodes",           "tips",           "area",       "alpha_mean",    "alpha_90",
-                              "alpha_min",       "min_angle",      "max_angle",  "gradation_p95", "jacobian_min",
-                              "quad_shape_mean", "quad_shape_min"};
+  constexpr std::array wanted{
+      "work.steps", "work.triangles", "work.front",    "elements",     "quadrilaterals",  "nodes",
+      "tips",       "area",           "area_surface",  "alpha_mean",   "alpha_90",        "alpha_min",
+      "min_angle",  "max_angle",      "gradation_p95", "jacobian_min", "quad_shape_mean", "quad_shape_min"};
   Figures figures;
   const bool at_work = scenario::model_of<model::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
@@ -150,7 +154,11 @@ Figures figures_of(const scenario::Program& program, const scenario::State& stat
   return figures;
 }
 
-std::string json_text(const Figures& figures, const std::vector<std::string>& remarks) {
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::string json_text(const Figures& figures, const std::vector<std::string>& remarks, const model::Model& model) {
   nlohmann::ordered_json json;
   for (const auto& quantity : figures.values) json[quantity.name] = quantity.value;
   double total = 0.0;
@@ -160,8 +168,9 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   }
   json["seconds"]["total"] = total;
   json["peak_memory"] = figures.peak_memory;
+  if (model.surfaces) json["findings"] = json_of(core::findings_of(model), model.units);
   json["remarks"] = remarks;
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return text_of(json);
 }
 
 std::string table_text(const Figures& figures) {
@@ -172,17 +181,36 @@ std::string table_text(const Figures& figures) {
   return text + fmt::format("{:<15} {:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
 }
 
-Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh,
-                       const model::Model& model) {
+/// The mesh of the domain, or that of the surfaces.
+Result<void> write_last(const std::string& path, const model::Model& model) {
+  if (model.surfaces) return model::write_mesh(path, model.surface_meshes.back()->elements, model.units);
+  return model::write_mesh(path, model.meshes.back()->mesh, core::inp_element_of(model), model.units);
+}
+
+Result<void> write_out(Session& session, const std::filesystem::path& out, const model::Model& model) {
   DOBRA_TRY(dobra::cli::Staging staging,
             dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = model::write_mesh(staging.path(out.filename().string()).string(), mesh,
-                                             core::inp_element_of(model), model.units);
-      !written)
+  if (const auto written = write_last(staging.path(out.filename().string()).string(), model); !written)
     return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
   return {};
+}
+
+/// Whether the document is about surfaces in space.
+bool of_surfaces(const scenario::Document& document) {
+  if (document.input.find("surface") != nullptr) return true;
+  const scenario::Value* const file = document.input.find("file");
+  const auto* const name = file == nullptr ? nullptr : std::get_if<std::string>(file);
+  return name != nullptr && core::is_brep(*name);
+}
+
+Result<void> check_files(const MeshOptions& options, const scenario::Document& document) {
+  if (!of_surfaces(document)) return {};
+  if (options.out)
+    DOBRA_TRY_VOID(io::formats::check_mesh_ending(options.out->string(), io::formats::Use::WriteSpaceMesh));
+  if (!options.histogram && !options.size_field) return {};
+  return Error{ErrorCode::BadUsage, "--histogram and --size-field draw plane meshes; a mesh of surfaces has none"};
 }
 
 Result<int> mesh_job(Session& session, const MeshOptions& options) {
@@ -194,6 +222,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
   DOBRA_TRY(const scenario::Document document, mesh_document_of(session, options));
+  DOBRA_TRY_VOID(check_files(options, document));
   const auto start = std::chrono::steady_clock::now();
   const auto since = [](auto from) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
@@ -208,21 +237,23 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
                  "draws the work"};
   }
   const model::Meshed stopped;
-  const model::Meshed& meshed = model.work ? stopped : *model.meshes.back();
+  const model::Meshed& meshed = model.work || model.surfaces ? stopped : *model.meshes.back();
+  const mesh::ElementMesh& elements = model.surfaces ? model.surface_meshes.back()->elements.mesh : meshed.mesh;
+  const auto& seconds = model.surfaces ? model.surface_meshes.back()->seconds : meshed.seconds;
 
   Figures figures = figures_of(session.program, state);
   double known = 0.0;
-  for (const auto& phase : meshed.seconds) known += phase.seconds;
+  for (const auto& phase : seconds) known += phase.seconds;
   figures.seconds.push_back({"input and steps before", all - known});
-  figures.seconds.insert(figures.seconds.end(), meshed.seconds.begin(), meshed.seconds.end());
+  figures.seconds.insert(figures.seconds.end(), seconds.begin(), seconds.end());
   if (options.out) {
     const auto begin = std::chrono::steady_clock::now();
-    DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh, model));
+    DOBRA_TRY_VOID(write_out(session, *options.out, model));
     figures.seconds.push_back({"write", since(begin)});
   }
   std::vector<std::string> remarks = session.program.remarks_of(state);
   if (options.out) {
-    for (std::string& loss : io::formats::losses(options.out->string(), meshed.mesh)) {
+    for (std::string& loss : io::formats::losses(options.out->string(), elements)) {
       session.note(loss);
       remarks.push_back(std::move(loss));
     }
@@ -238,11 +269,28 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, remarks)));
+    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, remarks, model)));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(table_text(figures)));
   }
   return 0;
+}
+
+/// A refusal of bad input, or of what cannot be meshed, as JSON too.
+Result<void> tell_refusal(Session& session, const MeshOptions& options, const Error& error) {
+  const int code = base::exit_code(error.code);
+  if (session.options.format != dobra::cli::OutputFormat::Json || (code != 3 && code != 4)) return {};
+  const std::filesystem::path& file = options.input.scenario.file;
+  std::vector<surf::mesh::Finding> findings;
+  if (core::is_brep(file.string())) {
+    if (auto faces = io::faces::faces_of_file(file.string())) findings = std::move(faces->findings);
+  }
+  const bool told = std::any_of(findings.begin(), findings.end(),
+                                [&](const auto& finding) { return finding.message == error.message; });
+  if (!told) findings.push_back(finding_of(error));
+  nlohmann::ordered_json json;
+  json["findings"] = json_of(findings, {});
+  return dobra::cli::print(text_of(json));
 }
 
 }  // namespace
@@ -251,7 +299,8 @@ Command mesh_command() {
   return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<MeshOptions>();
             app.add_option("file", options->input.scenario.file,
-                           fmt::format("Scenario (.toml), geometry ({} {}) or a mesh whose boundary is meant ({})",
+                           fmt::format("Scenario (.toml), geometry ({} {}), faces of a boundary model (.brep) or a "
+                                       "mesh whose boundary is meant ({})",
                                        fmt::join(io::formats::endings_for(io::formats::Use::ReadDrawing), " "),
                                        fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " "),
                                        fmt::join(io::formats::endings_for(io::formats::Use::ReadMesh), " ")))
@@ -280,7 +329,11 @@ Command mesh_command() {
             app.add_option("--size-field", options->size_field,
                            "Draw the sizes that the mesh was to have, and the quadtree that carries them")
                 ->type_name("FILE.svg|pdf|png");
-            return [options](Session& session) { return mesh_job(session, *options); };
+            return [options](Session& session) -> Result<int> {
+              auto done = mesh_job(session, *options);
+              if (!done) DOBRA_TRY_VOID(tell_refusal(session, *options, done.error()));
+              return done;
+            };
           }};
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <iterator>
 #include <set>
 
@@ -12,6 +14,7 @@
 #include "quebra/sketch/roles_by_name.h"
 #include "quebra/sketch/sketch_file.h"
 #include "shared/geom/drawn_curve.h"
+#include "shared/io/faces/import.h"
 
 namespace quebra::core {
 namespace {
@@ -232,8 +235,73 @@ Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scen
   return sketch;
 }
 
+bool is_brep(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".brep";
+}
+
+namespace {
+
+/// A model of faces. @param units  what 1 of the written u and v of each is in its chart.
+model::Model model_of(std::vector<dobra::surf::trim::TrimmedSurface> faces, std::vector<dobra::geom::Vector> units,
+                      std::vector<dobra::surf::mesh::Finding> findings, const dobra::scenario::Context& context) {
+  model::Model model;
+  model.units = context.shown_units;
+  model.domain.unit = context.units.to_si(1.0, "m");
+  model.surfaces = std::make_shared<const model::SurfaceSet>(model::SurfaceSet{std::move(faces), std::move(units)});
+  model.surface_findings = std::move(findings);
+  for (const auto& finding : model.surface_findings) model.remarks.push_back(finding.message);
+  return model;
+}
+
+/// The faces of a boundary model, whose numbers are in the document's length.
+Result<model::Model> read_faces(const InputParams& params, const dobra::scenario::Table& table,
+                                const dobra::scenario::Context& context) {
+  for (const char* const plane : {"specimen", "curve", "crack", "region", "point"}) {
+    if (table.find(plane) == nullptr) continue;
+    return Error{ErrorCode::BadValue,
+                 fmt::format("`{}` is of a plane domain and stands beside faces of '{}'", plane, params.file),
+                 table.place(plane)};
+  }
+  const std::string path = (context.folder / params.file).string();
+  DOBRA_TRY(dobra::io::faces::Imported imported, dobra::io::faces::faces_of_file(path));
+  if (imported.faces.empty()) {
+    const auto refused = std::find_if(imported.findings.begin(), imported.findings.end(),
+                                      [](const auto& finding) { return finding.code.starts_with("face_"); });
+    Error error{ErrorCode::BadDomain, "the file has no faces that could be meshed", Place{.file = path}};
+    if (refused != imported.findings.end()) error.message = refused->message, error.place = refused->place;
+    return error;
+  }
+  std::vector<dobra::geom::Vector> units(imported.faces.size(), {1.0, 1.0});
+  return model_of(std::move(imported.faces), std::move(units), std::move(imported.findings), context);
+}
+
+Result<model::Model> read_surfaces(const InputParams& params, const dobra::scenario::Table& table,
+                                   const dobra::scenario::Context& context) {
+  for (const char* const plane : {"specimen", "file", "curve", "crack", "region", "point"}) {
+    if (table.find(plane) == nullptr) continue;
+    return Error{
+        ErrorCode::BadValue,
+        fmt::format("`{}` is of a plane domain and stands beside surfaces; lines, cracks and points of surfaces "
+                    "are `trim` and `surface_point`",
+                    plane),
+        table.place(plane)};
+  }
+  DOBRA_TRY(surfaces::Surfaces made, surfaces::make_surfaces(params, table, context.units));
+  if (made.faces.empty())
+    return Error{ErrorCode::BadValue, "every surface is a tool; give one with use = \"mesh\"", table.place("surface")};
+  std::vector<dobra::geom::Vector> units;
+  for (const surfaces::ChartUnits& own : made.units) units.push_back({own.u, own.v});
+  return model_of(std::move(made.faces), std::move(units), std::move(made.findings), context);
+}
+
+}  // namespace
+
 Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
+  if (!params.surfaces.empty()) return read_surfaces(params, table, context);
+  if (is_brep(params.file)) return read_faces(params, table, context);
   DOBRA_TRY(sketch::Sketch sketch, read_drawing(params, table, context));
   const auto append = [](auto& to, auto& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));

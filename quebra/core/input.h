@@ -10,6 +10,7 @@
 #include "quebra/model/model.h"
 #include "quebra/sketch/line_input.h"
 #include "quebra/sketch/specimen.h"
+#include "quebra/surfaces/surface_input.h"
 #include "shared/base/progress.h"
 #include "shared/scenario/program.h"
 
@@ -177,7 +178,7 @@ struct PointParams {
   }
 };
 
-struct InputParams : sketch::LineInput {
+struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
   sketch::SpecimenKind specimen = sketch::SpecimenKind::None;
   std::optional<double> width, height, radius, crack, position;
   std::optional<dobra::base::Angle> angle;
@@ -270,8 +271,12 @@ struct InputParams : sketch::LineInput {
     d.tables("region", &InputParams::regions,
              {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});
     d.tables("point", &InputParams::points, {.title = "Points", .help = "Nodes with a name: supports, loads, gauges."});
+    surfaces::SurfaceInput::describe_in<InputParams>(d);
   }
 };
+
+/// Whether the file is a boundary model, whose faces are surfaces.
+bool is_brep(const std::string& file);
 
 /// What is drawn, before anything is made of it.
 /// @param table  the table that `params` came from: the places of its curves stand in the errors.

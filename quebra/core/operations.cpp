@@ -11,10 +11,13 @@
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/result_picture.h"
+#include "quebra/core/surface_layers.h"
 #include "quebra/meshing/constraint.h"
 #include "quebra/meshing/half_crack.h"
 #include "quebra/meshing/meshing.h"
 #include "quebra/meshing/zone.h"
+#include "quebra/surfaces/mesh_step.h"
+#include "quebra/surfaces/shell.h"
 #include "shared/operations/offset_step.h"
 
 namespace quebra::core {
@@ -138,11 +141,35 @@ std::string name_at(const domain::Domain& domain, const std::string& what,
 
 bool mesher_at_work(const scenario::State& state) { return scenario::model_of<model::Model>(state).work != nullptr; }
 
+/// Of the domain, or of the surfaces.
+base::Result<model::Model> mesh_model(const model::Model& model, const meshing::MeshParams& params,
+                                      const scenario::Context& context, const base::Progress& progress) {
+  if (model.surfaces) return surfaces::add_surface_mesh(model, params, context, progress);
+  return meshing::add_mesh(model, params, context, progress);
+}
+
+// What a model tells: of its domain, or of its surfaces.
+void quantities(const model::Model& model, std::vector<scenario::Quantity>& all) {
+  model.surfaces ? add_surface_quantities(model, all) : add_quantities(model, all);
+}
+void finding_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  model.surfaces ? add_surface_finding_tables(model, tables) : add_finding_tables(model, tables);
+}
+void mesh_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  model.surfaces ? add_surface_mesh_tables(model, tables) : add_mesh_tables(model, tables);
+}
+void mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
+  model->surfaces ? add_surface_mesh_outputs(model, outputs) : add_mesh_outputs(model, outputs);
+}
+void draw_model(const model::Model& model, dobra::scene::Picture& picture) {
+  model.surfaces ? draw_surfaces(model, picture) : draw(model, picture);
+}
+
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
       "mesh", "Mesh",
       "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
-      meshing::add_mesh, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
+      mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -198,7 +225,7 @@ scenario::Program make_program() {
   program.read_input = input;
   program.draw_input = draw_input;
   program.nothing_yet = [](const scenario::Table& input) {
-    constexpr std::array keys{"specimen", "file", "curve", "crack"};
+    constexpr std::array keys{"specimen", "file", "curve", "crack", "surface"};
     return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return input.find(key) != nullptr; });
   };
   program.drawing = drawing();
@@ -212,10 +239,10 @@ scenario::Program make_program() {
     return name_at(scenario::model_of<model::Model>(state).domain, what, line, at);
   };
   program.results = scenario::make_results<model::Model>({
-      .quantities = add_quantities,
-      .tables = add_finding_tables,
+      .quantities = quantities,
+      .tables = finding_tables,
       .remarks = [](const model::Model& model, auto& remarks) { remarks = model.remarks; },
-      .draw = draw,
+      .draw = draw_model,
   });
   program.operations = {
       scenario::make_operation<model::Model, meshing::ConstraintParams>(
@@ -228,6 +255,9 @@ scenario::Program make_program() {
           "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.",
           meshing::add_half_crack),
       mesh_operation(),
+      scenario::make_operation<model::Model, surfaces::ShellParams>(
+          "shell", "Shell", "Thickness, materials, supports and loads of a mesh of surfaces: decks for other programs.",
+          surfaces::add_shell, {.quantities = surfaces::add_shell_quantities, .outputs = surfaces::add_shell_outputs}),
       problem_operation(),
       scenario::make_operation<model::Model, analysis::AnalyseParams>(
           "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", analysis::add_analysis,

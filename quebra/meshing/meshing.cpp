@@ -383,7 +383,8 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
                                               {.sectors = params.sectors, .radius = params.tip_radius}, wishes.tips));
   }
   dobra::mesh::front::MeshOptions& options = prepared.options;
-  options.engine = params.engine;
+  options.engine = params.engine == EngineChoice::Delaunay ? dobra::mesh::front::Engine::Delaunay
+                                                           : dobra::mesh::front::Engine::Front;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
   options.sizes.function = source.function();

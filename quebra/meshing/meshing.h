@@ -20,15 +20,18 @@ enum class UseConstraints { Yes, No };
 enum class Order { First, Second };
 enum class Quadrilaterals { No, Yes };
 enum class UseRosettes { No, Yes };
+/// Paper: [miranda2009surface] as it is written.
+enum class EngineChoice { Front, Delaunay, Paper };
 
 /// What every mesh obeys, that of a mesh step and each of an adaptive loop. A base of MeshParams and AdaptParams.
 struct MeshRules {
   std::string size_formula, background, background_field;
   sketch::DivisionRule division = sketch::DivisionRule::Even;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
+  double chord = 0.0;
   double growth = 1.3;
   double narrow = 1.0;
-  dobra::mesh::front::Engine engine = dobra::mesh::front::Engine::Front;
+  EngineChoice engine = EngineChoice::Front;
   int smoothing = 3;
   int max_elements = 20000000;
   UseConstraints constraints = UseConstraints::Yes;
@@ -58,10 +61,15 @@ struct MeshRules {
          .help = "even: as few sides as meet size and turn; halving: sides halved until they do, 2:1 along a curve."});
     d.field("turn", of<P>(&MeshRules::turn),
             {.title = "Greatest turn",
-             .help = "That one element side on an arc may span.",
+             .help = "That one element side on an arc may span; of a surface, that its normal may turn along a side.",
              .unit = "deg",
              .above = 0,
              .at_most = 90});
+    d.field("chord", of<P>(&MeshRules::chord),
+            {.title = "Greatest distance from a surface",
+             .help = "Of the elements' sides; 0 does not ask. Of surfaces in space only.",
+             .unit = "m",
+             .at_least = 0});
     d.field("growth", of<P>(&MeshRules::growth),
             {.title = "Growth",
              .help = "Most by which sizes may grow from one element to the next.",
@@ -73,10 +81,11 @@ struct MeshRules {
                      "sides there are divided as finely. 0: sides are as long as elsewhere.",
              .at_least = 0,
              .at_most = 20});
-    d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay"},
+    d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay", "paper"},
              {.title = "Engine",
-              .help = "What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay "
-                      "triangulation, which is slower."});
+              .help = "What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay "
+                      "triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as "
+                      "it is written."});
     d.field("smoothing", of<P>(&MeshRules::smoothing), {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", of<P>(&MeshRules::max_elements),
             {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});

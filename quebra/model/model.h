@@ -7,6 +7,7 @@
 
 #include "quebra/domain/domain.h"
 #include "quebra/model/meshed.h"
+#include "quebra/model/surface_meshed.h"
 #include "shared/fem/fracture/rosette.h"
 #include "shared/scenario/units.h"
 
@@ -18,6 +19,9 @@ namespace quebra::analysis {
 struct Analysis;       // analysis.h
 struct ProblemParams;  // problem.h
 }  // namespace quebra::analysis
+namespace quebra::surfaces {
+struct Shell;  // shell.h
+}
 namespace quebra::core {
 struct ViewParams;  // result_picture.h
 }
@@ -74,8 +78,13 @@ struct Model {
   std::vector<Constraint> constraints;                      ///< What is left of them all.
   std::vector<Zone> zones;
   std::vector<HalfTip> half_tips;
-  std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
-  std::shared_ptr<const MeshWork> work;               ///< If the last mesh step was stopped; none when a mesh is done.
+  std::vector<std::shared_ptr<const Meshed>> meshes;                 ///< In the order made; each mesh step adds one.
+  std::shared_ptr<const SurfaceSet> surfaces;                        ///< None in a plane model.
+  std::vector<std::shared_ptr<const SurfaceMeshed>> surface_meshes;  ///< As `meshes`.
+  std::shared_ptr<const surfaces::Shell> shell;                      ///< Sections, supports and loads of `shell_mesh`.
+  std::shared_ptr<const SurfaceMeshed> shell_mesh;
+  std::vector<dobra::surf::mesh::Finding> surface_findings;  ///< What was told of the surfaces before any mesh.
+  std::shared_ptr<const MeshWork> work;  ///< If the last mesh step was stopped; none when a mesh is done.
   std::shared_ptr<const analysis::ProblemParams>
       problem;  ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const analysis::Analysis>> analyses;  ///< In the order made.

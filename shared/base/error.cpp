@@ -17,9 +17,13 @@ std::string to_string(const Error& error) {
     if (!place.item.empty()) text += place.item + ": ";
   }
   text += error.message;
-  if (error.place && error.place->x && error.place->y) {
-    text += fmt::format(" (at {:.10g}, {:.10g})", *error.place->x, *error.place->y);
+  if (!error.place) return text;
+  const Place& place = *error.place;
+  if (place.x && place.y) {
+    text += fmt::format(" (at {:.10g}, {:.10g}", *place.x, *place.y);
+    text += place.z ? fmt::format(", {:.10g})", *place.z) : ")";
   }
+  if (place.u && place.v) text += fmt::format(" (u, v = {:.10g}, {:.10g})", *place.u, *place.v);
   return text;
 }
 

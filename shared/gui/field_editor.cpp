@@ -539,7 +539,9 @@ FieldEditor* make_field_editor(const Field& field, const std::filesystem::path& 
       return new PointsEditor(field, parent);
     case Kind::Text:
     case Kind::Point:
+    case Kind::Point3:
     case Kind::Numbers:
+    case Kind::Points3:
     case Kind::Texts:
       return new TextEditor(field, parent);
     case Kind::Tables:

@@ -47,10 +47,14 @@ std::string wanted(const Field& field) {
       return "a file name in quotes";
     case Kind::Point:
       return "a point [x, y]";
+    case Kind::Point3:
+      return "a point or direction in space [x, y, z]";
     case Kind::Numbers:
       return "a list of numbers";
     case Kind::Points:
       return "a list of points [[x, y], ...]";
+    case Kind::Points3:
+      return "a list of points in space [[x, y, z], ...]";
     case Kind::Texts:
       return "a list of texts";
     case Kind::Tables:
@@ -76,6 +80,9 @@ struct FoundText {
   std::string operator()(geom::Point point) const { return "the point " + value_toml(point); }
   std::string operator()(const std::vector<double>& list) const { return counted(list.size(), "number", "numbers"); }
   std::string operator()(const Points& list) const { return counted(list.size(), "point", "points"); }
+  std::string operator()(const std::vector<geom::Point3>& list) const {
+    return counted(list.size(), "point in space", "points in space");
+  }
   std::string operator()(const std::vector<std::string>& list) const { return counted(list.size(), "text", "texts"); }
   std::string operator()(const std::vector<Table>& list) const { return counted(list.size(), "table", "tables"); }
 };
@@ -138,6 +145,12 @@ base::Result<void> check_numbers(const Value& value, const Value& written, const
                                      value_toml((*points)[i])),
                          place);
       }
+    }
+  }
+  if (const auto* points = std::get_if<std::vector<geom::Point3>>(&value)) {
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      if (!geom::is_finite((*points)[i]))
+        return bad_value(fmt::format("point {} of '{}' must have finite coordinates", i + 1, field.key), place);
     }
   }
   const auto* point = std::get_if<geom::Point>(&value);
@@ -238,8 +251,10 @@ std::optional<Value> typed(const Field& field, const std::string& text) {
     case Kind::Tables:
       return std::nullopt;
     case Kind::Point:
+    case Kind::Point3:
     case Kind::Numbers:
     case Kind::Points:
+    case Kind::Points3:
     case Kind::Texts: {
       // The outer brackets may be left out.
       auto value = read_value(text);
@@ -274,12 +289,17 @@ std::optional<Value> as_kind(const Value& value, Kind kind) {
     case Kind::Point:
       if (numbers != nullptr && numbers->size() == 2) return Value(geom::Point{(*numbers)[0], (*numbers)[1]});
       return same(point);
+    case Kind::Point3:
+      if (numbers == nullptr || numbers->size() != 3) return std::nullopt;
+      return same(numbers);
     case Kind::Numbers:
       if (point != nullptr) return Value(std::vector<double>{point->x, point->y});
       if (empty) return Value(std::vector<double>{});
       return same(numbers);
     case Kind::Points:
       return empty ? Value(Points{}) : same(std::get_if<Points>(&value));
+    case Kind::Points3:
+      return empty ? Value(std::vector<geom::Point3>{}) : same(std::get_if<std::vector<geom::Point3>>(&value));
     case Kind::Texts:
       return empty ? Value(std::vector<std::string>{}) : same(std::get_if<std::vector<std::string>>(&value));
     case Kind::Tables:
@@ -340,9 +360,11 @@ std::string rule_of(const Field& field) {
 }
 
 std::string field_summary(const Field& field) {
-  static constexpr const char* names[] = {
-      "true or false", "whole number", "number",          "angle in degrees", "text",          "one of",
-      "file name",     "point [x, y]", "list of numbers", "list of points",   "list of texts", "tables"};
+  static constexpr const char* names[] = {"true or false",    "whole number",   "number",
+                                          "angle in degrees", "text",           "one of",
+                                          "file name",        "point [x, y]",   "triple [x, y, z]",
+                                          "list of numbers",  "list of points", "list of points in space",
+                                          "list of texts",    "tables"};
   std::string out = names[static_cast<std::size_t>(field.kind)];
   if (field.kind == Kind::Choice) out += ' ' + joined_choices(field);
   const FieldOptions& options = field.options;
@@ -377,6 +399,13 @@ std::vector<double> numbers_of(const Value& value) {
 }
 std::vector<geom::Point> points_of(const Value& value) {
   return std::get<Points>(as_kind(value, Kind::Points).value()).list();
+}
+geom::Point3 point3_of(const Value& value) {
+  const auto numbers = std::get<std::vector<double>>(as_kind(value, Kind::Point3).value());
+  return {numbers[0], numbers[1], numbers[2]};
+}
+std::vector<geom::Point3> points3_of(const Value& value) {
+  return std::get<std::vector<geom::Point3>>(as_kind(value, Kind::Points3).value());
 }
 std::vector<std::string> texts_of(const Value& value) {
   return std::get<std::vector<std::string>>(as_kind(value, Kind::Texts).value());

@@ -28,8 +28,24 @@
 
 namespace dobra::scenario {
 
-/// What a field holds. Degrees: an Angle, written in degrees. File: a path, relative to the scenario's folder.
-enum class Kind { Flag, Integer, Number, Degrees, Text, Choice, File, Point, Numbers, Points, Texts, Tables };
+/// What a field holds. Degrees: an Angle, written in degrees. Point3: a place in space, held as a list of its three
+/// numbers. File: a path, relative to the scenario's folder.
+enum class Kind {
+  Flag,
+  Integer,
+  Number,
+  Degrees,
+  Text,
+  Choice,
+  File,
+  Point,
+  Point3,
+  Numbers,
+  Points,
+  Points3,
+  Texts,
+  Tables
+};
 
 enum class Presence { Optional, Required };
 
@@ -106,6 +122,8 @@ double number_of(const Value& value);
 geom::Point point_of(const Value& value);
 std::vector<double> numbers_of(const Value& value);
 std::vector<geom::Point> points_of(const Value& value);
+geom::Point3 point3_of(const Value& value);
+std::vector<geom::Point3> points3_of(const Value& value);
 std::vector<std::string> texts_of(const Value& value);
 std::vector<Table> tables_of(const Value& value);
 
@@ -127,6 +145,10 @@ constexpr Kind kind_of() {
     return Kind::Numbers;
   else if constexpr (std::is_same_v<T, std::vector<geom::Point>>)
     return Kind::Points;
+  else if constexpr (std::is_same_v<T, geom::Point3>)
+    return Kind::Point3;
+  else if constexpr (std::is_same_v<T, std::vector<geom::Point3>>)
+    return Kind::Points3;
   else if constexpr (std::is_same_v<T, std::vector<std::string>>)
     return Kind::Texts;
   else
@@ -141,6 +163,8 @@ Value to_value(const T& value) {
     return static_cast<std::int64_t>(value);
   else if constexpr (std::is_same_v<T, base::Angle>)
     return degrees_of(value);
+  else if constexpr (std::is_same_v<T, geom::Point3>)
+    return std::vector<double>{value.x, value.y, value.z};
   else
     return value;
 }
@@ -161,6 +185,10 @@ T from_value(const Value& value) {
     return numbers_of(value);
   else if constexpr (std::is_same_v<T, std::vector<geom::Point>>)
     return points_of(value);
+  else if constexpr (std::is_same_v<T, geom::Point3>)
+    return point3_of(value);
+  else if constexpr (std::is_same_v<T, std::vector<geom::Point3>>)
+    return points3_of(value);
   else if constexpr (std::is_same_v<T, std::vector<std::string>>)
     return texts_of(value);
   else

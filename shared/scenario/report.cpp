@@ -51,6 +51,11 @@ struct ToJson {
     for (const geom::Point& point : points) list.push_back(json_of(point));
     return list;
   }
+  Json operator()(const std::vector<geom::Point3>& points) const {
+    Json list = Json::array();
+    for (const geom::Point3& p : points) list.push_back(Json::array({p.x, p.y, p.z}));
+    return list;
+  }
   Json operator()(const std::vector<Table>& tables) const {
     Json list = Json::array();
     for (const Table& table : tables) list.push_back(json_of(table, field.fields));

@@ -228,7 +228,9 @@ class Reader {
     return out;
   }
 
+  /// All of two numbers, or all of three.
   base::Result<Value> points(const toml::array& array, const std::string& name) const {
+    if (array.front().as_array()->size() == 3) return points_in_space(array, name);
     std::vector<geom::Point> out;
     out.reserve(array.size());
     for (auto&& item : array) {
@@ -237,6 +239,19 @@ class Reader {
         return error(item, fmt::format("point {} of '{}' is not a pair of numbers [x, y]", out.size() + 1, name));
       }
       out.push_back({*pair[0].value<double>(), *pair[1].value<double>()});
+    }
+    return Value(std::move(out));
+  }
+
+  base::Result<Value> points_in_space(const toml::array& array, const std::string& name) const {
+    std::vector<geom::Point3> out;
+    out.reserve(array.size());
+    for (auto&& item : array) {
+      const toml::array& triple = *item.as_array();
+      if (triple.size() != 3 || !triple[0].is_number() || !triple[1].is_number() || !triple[2].is_number()) {
+        return error(item, fmt::format("point {} of '{}' is not a triple of numbers [x, y, z]", out.size() + 1, name));
+      }
+      out.push_back({*triple[0].value<double>(), *triple[1].value<double>(), *triple[2].value<double>()});
     }
     return Value(std::move(out));
   }

@@ -61,6 +61,9 @@ std::string item_toml(const std::string& value) { return quoted(value); }
 std::string item_toml(const geom::Point& value) {
   return fmt::format("[{}, {}]", item_toml(value.x), item_toml(value.y));
 }
+std::string item_toml(const geom::Point3& value) {
+  return fmt::format("[{}, {}, {}]", item_toml(value.x), item_toml(value.y), item_toml(value.z));
+}
 std::string item_toml(const Table& table) {
   std::string out;
   for (const Table::Entry& entry : table.entries()) {

@@ -173,6 +173,10 @@ struct Times {
     for (geom::Point& p : list) p = {ratio.times(p.x), ratio.times(p.y)};
     return Points(list);
   }
+  Value operator()(std::vector<geom::Point3> points) const {
+    for (geom::Point3& p : points) p = {ratio.times(p.x), ratio.times(p.y), ratio.times(p.z)};
+    return points;
+  }
   Value operator()(const std::vector<std::string>& list) const { return list; }
   Value operator()(const std::vector<Table>& list) const { return list; }
 };

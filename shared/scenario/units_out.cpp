@@ -213,7 +213,7 @@ base::Error in_units(base::Error error, const UnitSystem& units) {
   if (units.si()) return error;
   error.message = message_in_units(error.message, units);
   if (error.place) {
-    for (std::optional<double>* at : {&error.place->x, &error.place->y}) {
+    for (std::optional<double>* at : {&error.place->x, &error.place->y, &error.place->z}) {
       if (*at) *at = units.from_si(**at, "m");
     }
   }

@@ -10,6 +10,7 @@
 
 #include "shared/base/error.h"
 #include "shared/geom/point.h"
+#include "shared/geom/point3.h"
 #include "shared/scenario/points.h"
 
 namespace dobra::scenario {
@@ -17,10 +18,10 @@ namespace dobra::scenario {
 class Table;
 
 /// One value. Integers written where a number is meant are stored as they are written and read as numbers; a list of
-/// numbers in a file is always vector<double> (the reader cannot know that [1, 2] is meant as a point), and an empty
-/// list is an empty vector<double>.
+/// numbers in a file is always vector<double> (the reader cannot know that [1, 2] or [1, 2, 3] is meant as a point),
+/// and an empty list is an empty vector<double>.
 using Value = std::variant<bool, std::int64_t, double, std::string, geom::Point, std::vector<double>, Points,
-                           std::vector<std::string>, std::vector<Table>>;
+                           std::vector<geom::Point3>, std::vector<std::string>, std::vector<Table>>;
 
 /// Keys and values in the order in which they were written. Equality ignores places and comments, and takes values as
 /// equal that are written with the same text: a point and a list of its two numbers, empty lists of any kind. Copies

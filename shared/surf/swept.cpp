@@ -156,10 +156,12 @@ base::Result<Surface> Surface::ruled(const Curve& bottom, const Curve& top) {
   return make(std::move(shape), unit_square, std::move(breaks));
 }
 
-base::Result<Surface> Surface::extruded(const Curve& profile, Vector3 by) {
+base::Result<Surface> Surface::extruded(const Curve& profile, Vector3 by) { return extruded(profile, by, 0.0, 1.0); }
+
+base::Result<Surface> Surface::extruded(const Curve& profile, Vector3 by, double from, double to) {
   if (!geom::is_finite(by)) return Error{ErrorCode::NotFinite, "the way of the extrusion is not finite"};
   if (by == Vector3{}) return Error{ErrorCode::DegenerateCurve, "the way of the extrusion has no length"};
-  return make(std::make_shared<const ExtrudedShape>(profile, by), {{profile.low(), 0.0}, {profile.high(), 1.0}},
+  return make(std::make_shared<const ExtrudedShape>(profile, by), {{profile.low(), from}, {profile.high(), to}},
               {profile.breaks(), {}});
 }
 

@@ -126,8 +126,8 @@ QString field_text(Kind kind, const Value& value) {
 
 QString as_parsed(Kind kind, const QString& typed) {
   if (kind == Kind::Number || kind == Kind::Degrees) return with_point(typed);
-  if (kind != Kind::Point && kind != Kind::Numbers) return typed;
-  return cells_of(typed, kind == Kind::Numbers && writes_comma()).join(", ");
+  if (kind != Kind::Point && kind != Kind::Point3 && kind != Kind::Numbers) return typed;
+  return cells_of(typed, kind != Kind::Point && writes_comma()).join(", ");
 }
 
 base::Result<std::vector<geom::Point>> points_from_text(const std::string& written) {

@@ -41,6 +41,8 @@ bool is_for(const Format& format, Use use) {
       return format.mesh && format.mesh->polygons != nullptr;
     case Use::WriteMesh:
       return format.mesh && (format.mesh->text != nullptr || format.mesh->write != nullptr);
+    case Use::WriteSpaceMesh:
+      return format.mesh && format.mesh->space;
     case Use::ReadDrawing:
       break;
   }

@@ -85,13 +85,16 @@ struct MeshContents {
 struct MeshRow {
   base::Result<MeshContents> (*parse)(std::string_view text, const std::string& file) = nullptr;
   base::Result<MeshContents> (*read)(const std::string& path) = nullptr;
-  /// @param element  of .inp, which alone says what kind of plane elements they are.
-  base::Result<std::string> (*text)(const mesh::ElementMesh& mesh, meshes::InpElement element) = nullptr;
+  /// @param element  of .inp, which alone says what kind of elements they are.
+  /// @param heights  of a mesh in space; none where not `space`.
+  base::Result<std::string> (*text)(const mesh::ElementMesh& mesh, meshes::InpElement element,
+                                    meshes::Heights heights) = nullptr;
   base::Result<void> (*write)(const std::string& path, const mesh::ElementMesh& mesh) = nullptr;
   /// The same with the fields of numbers at its points and elements; nothing: the format holds none.
   base::Result<MeshAndFields> (*fields)(std::string_view text, const std::string& file) = nullptr;
   /// The polygons in space as they stand, to be checked; nothing: the format holds elements.
   base::Result<mesh::PolygonMesh> (*polygons)(std::string_view text, const std::string& file) = nullptr;
+  bool space = false;    ///< Its nodes have a third coordinate, which is written.
   bool surface = false;  ///< Corners alone, as polygons: no sets, no regions, no nodes at mid-sides.
   /// What else is left out or renamed, one line each; nothing: all is kept.
   std::vector<std::string> (*losses)(const mesh::ElementMesh& mesh) = nullptr;
@@ -124,6 +127,7 @@ enum class Use {
   ReadFields,    ///< A mesh with numbers at its points and elements.
   ReadPolygons,  ///< In space.
   WriteMesh,
+  WriteSpaceMesh,  ///< Of surfaces.
   ReadDrawing
 };
 bool is_for(const Format& format, Use use);

@@ -171,20 +171,25 @@ Result<MeshContents> contents_of(std::string_view text, const std::string& file)
 }
 
 MeshRow vtu_row() {
-  return {.parse = contents_of<meshes::parse_vtu>,
-          .text = [](const ElementMesh& mesh, InpElement) { return meshes::vtu_text(mesh); },
-          .fields = [](std::string_view text, const std::string& file) -> Result<MeshAndFields> {
-            DOBRA_TRY(meshes::VtuContents contents, meshes::parse_vtu(text, file));
-            return MeshAndFields{std::move(contents.mesh), std::move(contents.fields)};
-          },
-          .note = "<!-- {} -->\n",
-          .note_behind = "\n"};
+  return {
+      .parse = contents_of<meshes::parse_vtu>,
+      .text = [](const ElementMesh& mesh, InpElement,
+                 meshes::Heights heights) { return meshes::vtu_text(mesh, {}, meshes::VtuEncoding::Ascii, heights); },
+      .fields = [](std::string_view text, const std::string& file) -> Result<MeshAndFields> {
+        DOBRA_TRY(meshes::VtuContents contents, meshes::parse_vtu(text, file));
+        return MeshAndFields{std::move(contents.mesh), std::move(contents.fields)};
+      },
+      .space = true,
+      .note = "<!-- {} -->\n",
+      .note_behind = "\n"};
 }
 
 template <meshes::MshVersion version>
 MeshRow msh_row() {
   return {.parse = contents_of<meshes::parse_msh>,
-          .text = [](const ElementMesh& mesh, InpElement) { return meshes::msh_text(mesh, version); },
+          .text = [](const ElementMesh& mesh, InpElement,
+                     meshes::Heights heights) { return meshes::msh_text(mesh, version, heights); },
+          .space = true,
           .losses =
               [](const ElementMesh& mesh) {
                 Losses told;
@@ -203,7 +208,9 @@ MeshRow msh_row() {
 MeshRow inp_row() {
   return {
       .parse = contents_of<meshes::parse_inp>,
-      .text = [](const ElementMesh& mesh, InpElement element) { return meshes::inp_text(mesh, {.element = element}); },
+      .text = [](const ElementMesh& mesh, InpElement element,
+                 meshes::Heights heights) { return meshes::inp_text(mesh, {.element = element, .heights = heights}); },
+      .space = true,
       .losses =
           [](const ElementMesh& mesh) {
             Losses told;
@@ -220,12 +227,15 @@ MeshRow inp_row() {
 
 MeshRow bdf_row() {
   return {.parse = contents_of<meshes::parse_bdf>,
-          .text = [](const ElementMesh& mesh, InpElement) { return meshes::bdf_text(mesh); },
+          .text = [](const ElementMesh& mesh, InpElement,
+                     meshes::Heights heights) { return meshes::bdf_text(mesh, heights); },
+          .space = true,
           .note = "$ {}\n"};
 }
 
 MeshRow neutral_row() {
-  return {.parse = contents_of<meshes::parse_neutral>, .text = [](const ElementMesh& mesh, InpElement) {
+  return {.parse = contents_of<meshes::parse_neutral>,
+          .text = [](const ElementMesh& mesh, InpElement, meshes::Heights) {
             return meshes::neutral_text({mesh, {}, 1.0});
           }};
 }
@@ -266,7 +276,7 @@ MeshRow ele_row() {
 }
 
 MeshRow poly_row() {
-  return {.text = [](const ElementMesh& mesh, InpElement) -> Result<std::string> {
+  return {.text = [](const ElementMesh& mesh, InpElement, meshes::Heights) -> Result<std::string> {
             DOBRA_TRY_VOID(meshes::check_writable(mesh));
             return meshes::poly_text(meshes::poly_of(mesh));
           },
@@ -285,11 +295,12 @@ MeshRow polygon_row(std::string_view note = {}) {
             DOBRA_TRY(ElementMesh mesh, meshes::elements_of(polygons, file));
             return MeshContents{std::move(mesh), {}};
           },
-          .text = [](const ElementMesh& mesh, InpElement) -> Result<std::string> {
-            DOBRA_TRY_VOID(meshes::check_writable(mesh));
-            return meshes::polygons_text(meshes::polygons_of(mesh), format);
+          .text = [](const ElementMesh& mesh, InpElement, meshes::Heights heights) -> Result<std::string> {
+            DOBRA_TRY_VOID(meshes::check_writable(mesh, heights));
+            return meshes::polygons_text(meshes::polygons_of(mesh, heights), format);
           },
           .polygons = parse,
+          .space = true,
           .surface = true,
           .note = note};
 }
@@ -299,10 +310,12 @@ MeshRow stl_row() {
             DOBRA_TRY(const mesh::TriangleMesh triangles, meshes::parse_stl(text, file));
             return MeshContents{element_mesh_of(triangles), {}};
           },
-          .text = [](const ElementMesh& mesh, InpElement) -> Result<std::string> {
-            DOBRA_TRY_VOID(meshes::check_writable(mesh));
+          .text = [](const ElementMesh& mesh, InpElement, meshes::Heights heights) -> Result<std::string> {
+            DOBRA_TRY_VOID(meshes::check_writable(mesh, heights));
+            if (!heights.empty()) return meshes::stl_text(meshes::polygons_of(mesh, heights));
             return meshes::stl_text(triangle_mesh_of(mesh));
           },
+          .space = true,
           .surface = true,
           .losses = [](const ElementMesh& mesh) -> Losses {
             const auto quads = std::count_if(mesh.types.begin(), mesh.types.end(),

@@ -17,8 +17,13 @@ using base::Result;
 using mesh::ElementId;
 using mesh::ElementMesh;
 
-Result<void> check_mesh_ending(const std::string& path) {
-  if (format_of(path, Use::WriteMesh) != nullptr) return {};
+Result<void> check_mesh_ending(const std::string& path, Use use) {
+  if (format_of(path, use) != nullptr) return {};
+  if (use == Use::WriteSpaceMesh && format_of(path, Use::WriteMesh) != nullptr) {
+    return Error{ErrorCode::BadUsage, fmt::format("{}: such a file holds plane meshes; meshes of surfaces are written "
+                                                  "to files that end in {}",
+                                                  path, fmt::join(endings_for(use), " "))};
+  }
   return Error{ErrorCode::BadUsage, fmt::format("{}: meshes are written to files that end in {}", path,
                                                 fmt::join(endings_for(Use::WriteMesh), " "))};
 }
@@ -66,10 +71,11 @@ Result<MeshContents> read_mesh(const std::string& path) {
   return contents;
 }
 
-Result<void> write_mesh(const std::string& path, const ElementMesh& mesh, meshes::InpElement element) {
-  DOBRA_TRY_VOID(check_mesh_ending(path));
+Result<void> write_mesh(const std::string& path, const ElementMesh& mesh, meshes::InpElement element,
+                        meshes::Heights heights) {
+  DOBRA_TRY_VOID(check_mesh_ending(path, heights.empty() ? Use::WriteMesh : Use::WriteSpaceMesh));
   const MeshRow& row = *format_of(path, Use::WriteMesh)->mesh;
-  return row.write != nullptr ? row.write(path, mesh) : write_text(path, row.text(mesh, element));
+  return row.write != nullptr ? row.write(path, mesh) : write_text(path, row.text(mesh, element, heights));
 }
 
 Result<void> add_note(const std::string& path, const std::string& note) {

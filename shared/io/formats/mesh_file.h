@@ -33,13 +33,16 @@ base::Result<mesh::PolygonMesh> read_polygons(const std::string& path);
 /// remark of read_mesh tells it.
 std::vector<base::Error> inverted_elements(const MeshContents& contents);
 
+/// @param use  WriteMesh, or WriteSpaceMesh for the mesh of a surface.
 /// @error BadUsage naming the endings of meshes if it is none of them; to be asked before a long computation.
-base::Result<void> check_mesh_ending(const std::string& path);
+base::Result<void> check_mesh_ending(const std::string& path, Use use = Use::WriteMesh);
 
 /// By the ending (docs/user/formats.md). .node and .ele are both written, whichever is named.
 /// @error BadUsage for another ending; those of the writers.
-/// @param element  of .inp, which alone says what kind of plane elements they are.
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, meshes::InpElement element);
+/// @param element  of .inp, which alone says what kind of elements they are.
+/// @param heights  of a mesh in space.
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, meshes::InpElement element,
+                              meshes::Heights heights = {});
 
 /// Puts a comment at the head of a mesh file, where its format has comments.
 /// @error those of read_text and write_text.

@@ -116,8 +116,8 @@ std::string bdf_number(double value, std::size_t width) {
   return rounded(nastran_value(once).value_or(value), width);
 }
 
-Result<std::string> bdf_text(const ElementMesh& mesh) {
-  DOBRA_TRY_VOID(check_writable(mesh));
+Result<std::string> bdf_text(const ElementMesh& mesh, Heights heights) {
+  DOBRA_TRY_VOID(check_writable(mesh, heights));
   DOBRA_TRY_VOID(check_names(mesh, "\r\n", "a .bdf", "one without line ends"));
   Writer writer;
   const std::set<std::int32_t> tags(mesh.regions.begin(), mesh.regions.end());
@@ -130,8 +130,8 @@ Result<std::string> bdf_text(const ElementMesh& mesh) {
   }
   writer.text += "BEGIN BULK\n";
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-    writer.card("GRID",
-                {fmt::format("{}", n + 1), "", writer.number(mesh.points[n].x), writer.number(mesh.points[n].y), "0."});
+    writer.card("GRID", {fmt::format("{}", n + 1), "", writer.number(mesh.points[n].x), writer.number(mesh.points[n].y),
+                         heights.empty() ? "0." : writer.number(heights[n])});
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     std::vector<std::string> fields{fmt::format("{}", e + 1), fmt::format("{}", number[mesh.regions[e]])};

@@ -14,6 +14,7 @@
 
 #include "shared/base/result.h"
 #include "shared/io/meshes/file_elements.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io::meshes {
@@ -28,7 +29,7 @@ struct BdfContents {
 /// Coordinates are rounded to these; what is read and written again stays.
 /// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a
 /// line end.
-base::Result<std::string> bdf_text(const mesh::ElementMesh& mesh);
+base::Result<std::string> bdf_text(const mesh::ElementMesh& mesh, Heights heights = {});
 /// @error those of bdf_text, CannotWrite
 base::Result<void> write_bdf(const std::string& path, const mesh::ElementMesh& mesh);
 

@@ -13,11 +13,12 @@
 
 #include "shared/base/result.h"
 #include "shared/io/meshes/file_elements.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io::meshes {
 
-enum class InpElement { PlaneStress, PlaneStrain, Axisymmetric };  ///< CPS3, CPE3, CAX3 and so on
+enum class InpElement { PlaneStress, PlaneStrain, Axisymmetric, Shell };  ///< CPS3, CPE3, CAX3, S3 and so on
 /// CalculiX looks at the first 20 characters of a number only. TwentyColumns writes every digit where they fit in 20
 /// and else rounds to the most that do (relative error below 1e-12); Exact always writes every digit.
 enum class InpNumbers { TwentyColumns, Exact };
@@ -25,6 +26,7 @@ enum class InpNumbers { TwentyColumns, Exact };
 struct InpOptions {
   InpElement element;
   InpNumbers numbers = InpNumbers::TwentyColumns;
+  Heights heights = {};
 };
 
 struct InpContents {

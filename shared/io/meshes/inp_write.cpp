@@ -109,7 +109,8 @@ void write_sides(const ElementMesh& mesh, const std::string& name, const std::st
 }
 
 std::string type_name(mesh::ElementType type, InpElement element) {
-  const char* const family = element == InpElement::PlaneStress   ? "CPS"
+  const char* const family = element == InpElement::Shell         ? "S"
+                             : element == InpElement::PlaneStress ? "CPS"
                              : element == InpElement::PlaneStrain ? "CPE"
                                                                   : "CAX";
   return fmt::format("{}{}", family, mesh::node_count(type));
@@ -177,13 +178,14 @@ std::vector<InpRenaming> inp_renamings(const ElementMesh& mesh) {
 }
 
 Result<std::string> inp_text(const ElementMesh& mesh, const InpOptions& options) {
-  DOBRA_TRY_VOID(check_writable(mesh));
+  DOBRA_TRY_VOID(check_writable(mesh, options.heights));
   const auto number = [&](double value) {
     return options.numbers == InpNumbers::Exact ? base::number_text(value) : twenty_columns(value);
   };
   std::string text = "*NODE, NSET=NALL\n";
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-    text += fmt::format("{}, {}, {}, 0.0\n", n + 1, number(mesh.points[n].x), number(mesh.points[n].y));
+    text += fmt::format("{}, {}, {}, {}\n", n + 1, number(mesh.points[n].x), number(mesh.points[n].y),
+                        options.heights.empty() ? "0.0" : number(options.heights[n]));
   }
   const AllLabels labels = labels_of(mesh);
   write_elements(mesh, options, labels, text);

@@ -24,7 +24,7 @@ using mesh::ElementType;
 using mesh::NodeId;
 using mesh::PolygonMesh;
 
-PolygonMesh polygons_of(const ElementMesh& mesh) {
+PolygonMesh polygons_of(const ElementMesh& mesh, Heights heights) {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> number(mesh.points.size(), none);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -34,7 +34,7 @@ PolygonMesh polygons_of(const ElementMesh& mesh) {
   for (std::size_t i = 0; i < number.size(); ++i) {
     if (number[i] == none) continue;
     number[i] = static_cast<std::uint32_t>(polygons.points.size());
-    polygons.points.push_back({mesh.points[i].x, mesh.points[i].y, 0.0});
+    polygons.points.push_back({mesh.points[i].x, mesh.points[i].y, height(heights, i)});
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     auto& face = polygons.faces.emplace_back();

@@ -3,14 +3,15 @@
 // back.
 
 #include "shared/base/result.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/io/meshes/poly.h"
 #include "shared/mesh/element_mesh.h"
 #include "shared/mesh/polygon_mesh.h"
 
 namespace dobra::io::meshes {
 
-/// The corners as polygons with z = 0, triangles and quadrilaterals; nodes that are no corners are left out.
-mesh::PolygonMesh polygons_of(const mesh::ElementMesh& mesh);
+/// The corners as polygons, triangles and quadrilaterals; nodes that are no corners are left out.
+mesh::PolygonMesh polygons_of(const mesh::ElementMesh& mesh, Heights heights = {});
 
 /// T3 and Q4 of one region, by x and y; points that no face names are left out.
 /// @error BadFormat for faces of other than three or four corners and for points that lie in no plane z = constant;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "shared/base/check.h"
 #include "shared/geom/predicates.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/lips.h"
@@ -67,10 +69,15 @@ std::optional<ElementSide> MeshSides::left_of(const Edge& edge) const {
   return found->second;
 }
 
-Result<void> check_writable(const ElementMesh& mesh) {
+Result<void> check_writable(const ElementMesh& mesh, Heights heights) {
   if (mesh.element_count() == 0)
     return Error{ErrorCode::CannotMesh, "the mesh has no elements; there is nothing to write"};
   DOBRA_TRY_VOID(check_finite(mesh.points, "the mesh"));
+  DOBRA_CHECK(heights.empty() || heights.size() == mesh.points.size());
+  for (std::size_t n = 0; n < heights.size(); ++n) {
+    if (std::isfinite(heights[n])) continue;
+    return Error{ErrorCode::NotFinite, fmt::format("node {} of the mesh has no finite height", n + 1)};
+  }
   const auto wrong = [](const std::string& what, const std::string& name) {
     return Error{ErrorCode::InvalidOption,
                  fmt::format("{} {} refers to what does not exist in the mesh", what, shown(name))};

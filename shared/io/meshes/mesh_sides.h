@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io::meshes {
@@ -28,7 +29,7 @@ class MeshSides {
 
 /// What every writer asks first. @error CannotMesh: no elements; NotFinite; InvalidOption: a set or tip that refers to
 /// what does not exist.
-base::Result<void> check_writable(const mesh::ElementMesh& mesh);
+base::Result<void> check_writable(const mesh::ElementMesh& mesh, Heights heights = {});
 
 /// For writers of names as text. @error InvalidOption: a name of a set or region with one of `forbidden`.
 /// @param where  what it cannot stand in, and @param advice  what to use.

@@ -13,6 +13,7 @@
 
 #include "shared/base/result.h"
 #include "shared/io/meshes/file_elements.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io::meshes {
@@ -28,7 +29,8 @@ enum class MshVersion { V22, V41 };
 /// The text of a .msh with every digit. Node and element tags are the positions in the mesh, from 1.
 /// Names stand in quotes on one line: a quote in a name becomes ', a line end a blank (msh_renamings says which).
 /// @error NotFinite; CannotMesh: no elements.
-base::Result<std::string> msh_text(const mesh::ElementMesh& mesh, MshVersion version = MshVersion::V41);
+base::Result<std::string> msh_text(const mesh::ElementMesh& mesh, MshVersion version = MshVersion::V41,
+                                   Heights heights = {});
 /// @error those of msh_text, CannotWrite
 base::Result<void> write_msh(const std::string& path, const mesh::ElementMesh& mesh,
                              MshVersion version = MshVersion::V41);

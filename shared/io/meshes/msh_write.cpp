@@ -55,6 +55,7 @@ struct Model {
   std::map<std::size_t, std::vector<std::size_t>> corners;          // node -> its node sets, ascending
   std::vector<std::int32_t> regions;                                // ascending, without repetition
   std::vector<std::pair<std::int64_t, std::string>> region_groups;  // physical tag and name, one a region
+  Heights heights = {};
 };
 
 std::size_t region_index(const Model& model, std::size_t element) {
@@ -233,10 +234,31 @@ std::vector<Owner> owners(const Model& model) {
   return owner;
 }
 
-std::string box_text(const geom::Box& box) {
-  return fmt::format("{} {} 0 {} {} 0", base::number_text(box.low.x), base::number_text(box.low.y),
-                     base::number_text(box.high.x), base::number_text(box.high.y));
+std::string z_text(const Model& model, std::size_t node) {
+  return model.heights.empty() ? "0" : base::number_text(model.heights[node]);
 }
+
+/// The box of an entity's nodes.
+class Extent {
+ public:
+  void add(const Model& model, NodeId node) {
+    box_.add(model.mesh.point(node));
+    const double z = height(model.heights, node.index());
+    low_ = empty_ ? z : std::min(low_, z);
+    high_ = empty_ ? z : std::max(high_, z);
+    empty_ = false;
+  }
+  [[nodiscard]] std::string text(const Model& model) const {
+    const auto z = [&](double value) { return model.heights.empty() ? std::string("0") : base::number_text(value); };
+    return fmt::format("{} {} {} {} {} {}", base::number_text(box_.low.x), base::number_text(box_.low.y), z(low_),
+                       base::number_text(box_.high.x), base::number_text(box_.high.y), z(high_));
+  }
+
+ private:
+  geom::Box box_;
+  double low_ = 0.0, high_ = 0.0;
+  bool empty_ = true;
+};
 
 void write_names(const Model& model, std::string& text) {
   text +=
@@ -286,26 +308,26 @@ void write_entities(const Model& model, std::string& text) {
   text += fmt::format("$Entities\n{} {} {} 0\n", model.corners.size(), model.chains.size(), model.regions.size());
   for (const auto& [node, sets] : model.corners) {
     const geom::Point p = model.mesh.points[node];
-    text += fmt::format("{} {} {} 0 {}", node + 1, base::number_text(p.x), base::number_text(p.y), sets.size());
+    text += fmt::format("{} {} {} {} {}", node + 1, base::number_text(p.x), base::number_text(p.y), z_text(model, node),
+                        sets.size());
     for (const std::size_t set : sets) text += fmt::format(" {}", set + 1);
     text += '\n';
   }
   for (std::size_t c = 0; c < model.chains.size(); ++c) {
-    geom::Box box;
+    Extent box;
     for (const std::size_t e : model.chains[c].edges) {
-      for (const NodeId node : model.edges[e].edge) box.add(model.mesh.point(node));
+      for (const NodeId node : model.edges[e].edge) box.add(model, node);
     }
-    text += fmt::format("{} {} 1 {}{}\n", c + 1, box_text(box), model.chains[c].group + 1,
+    text += fmt::format("{} {} 1 {}{}\n", c + 1, box.text(model), model.chains[c].group + 1,
                         ends_text(model, model.chains[c]));
   }
-  std::vector<geom::Box> boxes(model.regions.size());
+  std::vector<Extent> boxes(model.regions.size());
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-    for (const NodeId node : model.mesh.nodes_of(ElementId(e)))
-      boxes[region_index(model, e)].add(model.mesh.point(node));
+    for (const NodeId node : model.mesh.nodes_of(ElementId(e))) boxes[region_index(model, e)].add(model, node);
   }
   const auto bounds = bounding_curves(model);
   for (std::size_t r = 0; r < model.regions.size(); ++r) {
-    text += fmt::format("{} {} 1 {} {}", r + 1, box_text(boxes[r]), model.region_groups[r].first, bounds[r].size());
+    text += fmt::format("{} {} 1 {} {}", r + 1, boxes[r].text(model), model.region_groups[r].first, bounds[r].size());
     for (const std::int64_t curve : bounds[r]) text += fmt::format(" {}", curve);
     text += '\n';
   }
@@ -322,7 +344,7 @@ void write_nodes(const Model& model, std::string& text) {
     for (const std::size_t n : nodes) text += fmt::format("{}\n", n + 1);
     for (const std::size_t n : nodes) {
       const geom::Point p = model.mesh.points[n];
-      text += base::number_text(p.x) + ' ' + base::number_text(p.y) + " 0\n";
+      text += base::number_text(p.x) + ' ' + base::number_text(p.y) + ' ' + z_text(model, n) + '\n';
     }
   }
   text += "$EndNodes\n";
@@ -360,8 +382,8 @@ void write_version_22(const Model& model, std::string& text) {
   const mesh::ElementMesh& mesh = model.mesh;
   text += fmt::format("$Nodes\n{}\n", mesh.points.size());
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-    text +=
-        fmt::format("{} {} {} 0\n", n + 1, base::number_text(mesh.points[n].x), base::number_text(mesh.points[n].y));
+    text += fmt::format("{} {} {} {}\n", n + 1, base::number_text(mesh.points[n].x),
+                        base::number_text(mesh.points[n].y), z_text(model, n));
   }
   std::size_t points = 0;
   for (const auto& [name, nodes] : mesh.node_sets) points += nodes.size();
@@ -394,13 +416,14 @@ std::map<std::string, std::string> msh_renamings(const ElementMesh& mesh) {
   return all;
 }
 
-Result<std::string> msh_text(const ElementMesh& mesh, MshVersion version) {
-  DOBRA_TRY_VOID(check_writable(mesh));
+Result<std::string> msh_text(const ElementMesh& mesh, MshVersion version, Heights heights) {
+  DOBRA_TRY_VOID(check_writable(mesh, heights));
   const AllNames names = names_of(mesh);
   if (!names.sides.renamed().empty() || !names.nodes.renamed().empty() || !names.regions.renamed().empty()) {
-    return msh_text(renamed(mesh, names), version);
+    return msh_text(renamed(mesh, names), version, heights);
   }
   Model model = numbered(mesh);
+  model.heights = heights;
   std::string text = fmt::format("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version == MshVersion::V22 ? "2.2" : "4.1");
   write_names(model, text);
   if (version == MshVersion::V22) {

@@ -7,10 +7,13 @@
 
 #include "shared/io/meshes/stl.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 
+#include "shared/base/text.h"
 #include "shared/io/meshes/mesh_plane.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/openmesh.h"
@@ -55,6 +58,31 @@ Result<std::string> stl_text(const mesh::TriangleMesh& mesh) {
     return Error{ErrorCode::CannotMesh, "OpenMesh could not write the mesh"};
   }
   return out.str();
+}
+
+std::string stl_text(const mesh::PolygonMesh& mesh) {
+  std::string text = "solid\n";
+  const auto facet = [&](geom::Point3 a, geom::Point3 b, geom::Point3 c) {
+    const geom::Vector3 area = cross(b - a, c - a);
+    const geom::Vector3 normal = length(area) > 0.0 ? normalised(area) : area;
+    const auto triple = [](double x, double y, double z) {
+      return fmt::format("{} {} {}\n", base::number_text(x), base::number_text(y), base::number_text(z));
+    };
+    text += "facet normal " + triple(normal.x, normal.y, normal.z) + "outer loop\n";
+    for (const geom::Point3 p : {a, b, c}) text += "vertex " + triple(p.x, p.y, p.z);
+    text += "endloop\nendfacet\n";
+  };
+  for (const auto& face : mesh.faces) {
+    const auto at = [&](std::size_t i) { return mesh.points[face[i]]; };
+    if (face.size() == 3) {
+      facet(at(0), at(1), at(2));
+    } else if (distance(at(0), at(2)) <= distance(at(1), at(3))) {
+      facet(at(0), at(1), at(2)), facet(at(0), at(2), at(3));
+    } else {
+      facet(at(0), at(1), at(3)), facet(at(1), at(2), at(3));
+    }
+  }
+  return text + "endsolid\n";
 }
 
 Result<mesh::TriangleMesh> parse_stl(std::string_view text, const std::string& file) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io::meshes {
@@ -40,10 +41,10 @@ struct VtuContents {
 /// @error CannotMesh: no elements; NotFinite; InvalidOption: a field whose length is not components times the number of
 /// items.
 base::Result<std::string> vtu_text(const mesh::ElementMesh& mesh, const MeshFields& fields = {},
-                                   VtuEncoding encoding = VtuEncoding::Ascii);
+                                   VtuEncoding encoding = VtuEncoding::Ascii, Heights heights = {});
 /// @error NotFinite, InvalidOption, CannotWrite
 base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const MeshFields& fields = {},
-                             VtuEncoding encoding = VtuEncoding::Ascii);
+                             VtuEncoding encoding = VtuEncoding::Ascii, Heights heights = {});
 
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:
 ///        appended or compressed data, cells that are neither triangles nor quadrilaterals.

@@ -195,13 +195,14 @@ void write_sets(const ElementMesh& mesh, Writer& writer) {
 
 }  // namespace
 
-Result<std::string> vtu_text(const ElementMesh& mesh, const MeshFields& fields, VtuEncoding encoding) {
-  DOBRA_TRY_VOID(check_writable(mesh));
+Result<std::string> vtu_text(const ElementMesh& mesh, const MeshFields& fields, VtuEncoding encoding, Heights heights) {
+  DOBRA_TRY_VOID(check_writable(mesh, heights));
   DOBRA_TRY_VOID(check_fields(fields.at_points, mesh.points.size()));
   DOBRA_TRY_VOID(check_fields(fields.at_elements, mesh.element_count()));
   std::vector<double> coordinates;
   coordinates.reserve(3 * mesh.points.size());
-  for (const geom::Point p : mesh.points) coordinates.insert(coordinates.end(), {p.x, p.y, 0.0});
+  for (std::size_t n = 0; n < mesh.points.size(); ++n)
+    coordinates.insert(coordinates.end(), {mesh.points[n].x, mesh.points[n].y, height(heights, n)});
 
   Writer writer(encoding);
   writer.text =
@@ -223,9 +224,9 @@ Result<std::string> vtu_text(const ElementMesh& mesh, const MeshFields& fields, 
   return std::move(writer.text);
 }
 
-Result<void> write_vtu(const std::string& path, const ElementMesh& mesh, const MeshFields& fields,
-                       VtuEncoding encoding) {
-  return write_text(path, vtu_text(mesh, fields, encoding));
+Result<void> write_vtu(const std::string& path, const ElementMesh& mesh, const MeshFields& fields, VtuEncoding encoding,
+                       Heights heights) {
+  return write_text(path, vtu_text(mesh, fields, encoding, heights));
 }
 
 }  // namespace dobra::io::meshes

@@ -1,0 +1,131 @@
+#include "quebra/core/surface_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "quebra/core/layers.h"
+#include "quebra/model/mesh_files.h"
+#include "shared/base/text.h"
+#include "shared/mesh/quality.h"
+#include "shared/scene/color_map.h"
+
+namespace quebra::core {
+
+using namespace dobra;
+using base::translated;
+
+namespace {
+
+std::size_t quadrilaterals_of(const mesh::ElementMesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.types.begin(), mesh.types.end(),
+                                                [](mesh::ElementType type) { return mesh::corner_count(type) == 4; }));
+}
+
+void add_quality(std::vector<scenario::Quantity>& quantities, const std::string& prefix,
+                 const model::SurfaceMeshed& meshed) {
+  const auto add = [&](const char* name, double value, const char* unit = "") {
+    quantities.push_back({prefix + name, value, unit});
+  };
+  const auto& quality = meshed.quality;
+  add("elements", static_cast<double>(meshed.elements.mesh.element_count()));
+  add("quadrilaterals", static_cast<double>(quadrilaterals_of(meshed.elements.mesh)));
+  add("nodes", static_cast<double>(meshed.elements.mesh.points.size()));
+  add("area", quality.area, "m2");
+  add("area_surface", meshed.area_surface, "m2");
+  add("alpha_mean", quality.alpha_mean);
+  add("alpha_90", 100.0 * quality.alpha_90, "%");
+  add("alpha_min", quality.alpha_min);
+  add("min_angle", quality.angle_min.degrees(), "deg");
+  add("max_angle", quality.angle_max.degrees(), "deg");
+  add("side_min", quality.side_min, "m");
+  add("side_max", quality.side_max, "m");
+  add("euler", static_cast<double>(quality.euler));
+  add("loops", static_cast<double>(quality.loops));
+}
+
+/// The alpha of every triangle, in space.
+std::vector<double> alphas(const surf::mesh::SurfaceMesh& mesh) {
+  std::vector<double> values;
+  for (const auto& corners : mesh.triangles) {
+    const geom::Point3 a = mesh.point(corners[0]), b = mesh.point(corners[1]), c = mesh.point(corners[2]);
+    const double sides = dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c);
+    values.push_back(sides > 0.0 ? 2.0 * std::sqrt(3.0) * length(cross(b - a, c - a)) / sides : 0.0);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<surf::mesh::Finding> findings_of(const model::Model& model) {
+  std::vector<surf::mesh::Finding> all = model.surface_findings;
+  if (!model.surface_meshes.empty()) {
+    const auto& last = model.surface_meshes.back()->findings;
+    all.insert(all.end(), last.begin(), last.end());
+  }
+  return all;
+}
+
+void draw_surfaces(const model::Model&, scene::Picture&) {}
+
+void add_surface_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
+  quantities.push_back({"faces", static_cast<double>(model.surfaces->faces.size()), ""});
+  quantities.push_back({"findings", static_cast<double>(findings_of(model).size()), ""});
+  if (!model.surface_meshes.empty()) add_quality(quantities, "", *model.surface_meshes.back());
+  for (std::size_t i = 0; i < model.surface_meshes.size(); ++i)
+    add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.surface_meshes[i]);
+}
+
+void add_surface_finding_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  const auto findings = findings_of(model);
+  if (findings.empty()) return;
+  scenario::DataTable table{"findings", {"code", "message", "x [m]", "y [m]", "z [m]", "u", "v"}, {}};
+  const auto number = [](const std::optional<double>& value) -> std::variant<double, std::string> {
+    if (value) return *value;
+    return std::string();
+  };
+  for (const auto& finding : findings) {
+    table.rows.push_back({finding.code, scenario::message_in_units(finding.message, model.units),
+                          number(finding.place.x), number(finding.place.y), number(finding.place.z),
+                          number(finding.place.u), number(finding.place.v)});
+  }
+  tables.push_back(std::move(table));
+}
+
+void add_surface_mesh_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  if (model.surface_meshes.empty()) return;
+  scenario::DataTable table{"quality",
+                            {"mesh", "elements", "nodes", "area [m2]", "area_surface [m2]", "alpha_mean",
+                             "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "quadrilaterals"},
+                            {}};
+  for (const auto& meshed : model.surface_meshes) {
+    const auto& q = meshed->quality;
+    table.rows.push_back({meshed->name, static_cast<double>(meshed->elements.mesh.element_count()),
+                          static_cast<double>(meshed->elements.mesh.points.size()), q.area, meshed->area_surface,
+                          q.alpha_mean, 100.0 * q.alpha_90, q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(),
+                          static_cast<double>(quadrilaterals_of(meshed->elements.mesh))});
+  }
+  tables.push_back(std::move(table));
+}
+
+void add_surface_mesh_outputs(const std::shared_ptr<const model::Model>& model,
+                              std::vector<scenario::Output>& outputs) {
+  if (model->surface_meshes.empty()) return;
+  const std::shared_ptr<const model::SurfaceMeshed> meshed = model->surface_meshes.back();
+  const scenario::UnitSystem units = model->units;
+  outputs.push_back({"mesh.vtu", [meshed, units](const auto& path) {
+                       io::meshes::MeshFields fields;
+                       std::vector<double> faces(meshed->elements.faces.begin(), meshed->elements.faces.end());
+                       fields.at_elements.push_back({"face", 1, std::move(faces)});
+                       if (meshed->elements.mesh.element_count() == meshed->mesh.triangles.size())
+                         fields.at_elements.push_back({"alpha", 1, alphas(meshed->mesh)});
+                       return model::write_vtu(path.string(), meshed->elements, fields, units);
+                     }});
+  for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.obj"}) {
+    outputs.push_back(
+        {name, [meshed, units](const auto& path) { return model::write_mesh(path.string(), meshed->elements, units); },
+         io::formats::losses(name, meshed->elements.mesh)});
+  }
+}
+
+}  // namespace quebra::core

@@ -1,0 +1,275 @@
+#include "quebra/surfaces/common_borders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "shared/base/disjoint_sets.h"
+
+namespace quebra::surfaces {
+
+using namespace dobra;
+using geom::Point3;
+using geom::Vector3;
+using surf::mesh::Finding;
+using surf::trim::ChartEdge;
+using surf::trim::TrimmedSurface;
+
+namespace {
+
+constexpr int steps = 64;  // of an edge, to see where it runs
+
+struct Box3 {
+  Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  void add(Point3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  [[nodiscard]] bool near(const Box3& other, double gap) const {
+    return low.x <= other.high.x + gap && other.low.x <= high.x + gap && low.y <= other.high.y + gap &&
+           other.low.y <= high.y + gap && low.z <= other.high.z + gap && other.low.z <= high.z + gap;
+  }
+  [[nodiscard]] double diagonal() const { return distance(low, high); }
+};
+
+/// An edge of a loop as a curve in space; t runs from 0 to 1.
+class Border {
+ public:
+  Border(std::size_t face, const surf::Surface& surface, ChartEdge edge)
+      : face_(face), surface_(&surface), edge_(std::move(edge)) {
+    for (int i = 0; i <= steps; ++i) {
+      at_.push_back(at(static_cast<double>(i) / steps));
+      box_.add(at_.back());
+      if (i > 0) length_ += distance(at_[static_cast<std::size_t>(i) - 1], at_.back());
+    }
+  }
+  [[nodiscard]] std::size_t face() const { return face_; }
+  [[nodiscard]] const ChartEdge& edge() const { return edge_; }
+  [[nodiscard]] ChartEdge& edge() { return edge_; }
+  [[nodiscard]] const Box3& box() const { return box_; }
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] Point3 at(double t) const { return surface_->at(edge_.at(parameter(t))); }
+  [[nodiscard]] Point3 start() const { return at_.front(); }
+  [[nodiscard]] Point3 end() const { return at_.back(); }
+
+  /// Where it is nearest to a point.
+  struct Nearest {
+    double t = 0.0, distance = 0.0;
+  };
+  [[nodiscard]] Nearest nearest(Point3 p) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < at_.size(); ++i) {
+      if (distance(at_[i], p) < distance(at_[best], p)) best = i;
+    }
+    double low = static_cast<double>(best > 0 ? best - 1 : 0) / steps;
+    double high = static_cast<double>(std::min<std::size_t>(best + 1, steps)) / steps;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (falls(middle, p) ? low : high) = middle;
+    }
+    Nearest found{0.5 * (low + high), distance(at(0.5 * (low + high)), p)};
+    for (const double end : {0.0, 1.0}) {
+      if (distance(at(end), p) < found.distance) found = {end, distance(at(end), p)};
+    }
+    return found;
+  }
+
+  /// The part between two parameters.
+  [[nodiscard]] ChartEdge part(double from, double to) const {
+    ChartEdge piece = edge_;
+    piece.from = parameter(from), piece.to = parameter(to);
+    return piece;
+  }
+
+ private:
+  [[nodiscard]] double parameter(double t) const {
+    return t == 1.0 ? edge_.to : edge_.from + t * (edge_.to - edge_.from);
+  }
+  /// Whether the distance to p still falls with t.
+  [[nodiscard]] bool falls(double t, Point3 p) const {
+    const surf::Curve::Jet chart = edge_.curve.jet(parameter(t));
+    const surf::Jet jet = surface_->jet({chart.at.x, chart.at.y});
+    const Vector3 way = chart.first.x * jet.u + chart.first.y * jet.v;
+    return dot(jet.at - p, way) * (edge_.to - edge_.from) < 0.0;
+  }
+
+  std::size_t face_;
+  const surf::Surface* surface_;
+  ChartEdge edge_;
+  std::vector<Point3> at_;
+  Box3 box_;
+  double length_ = 0.0;
+};
+
+class Sharing {
+ public:
+  Sharing(std::vector<TrimmedSurface>& faces, const CommonBorderOptions& options) : faces_(faces) {
+    collect();
+    Box3 all;
+    for (const Border& border : borders_) all.add(border.box().low), all.add(border.box().high);
+    diagonal_ = borders_.empty() ? 0.0 : all.diagonal();
+    tolerance_ = options.tolerance * diagonal_;
+  }
+
+  void run(std::vector<Finding>& findings) {
+    if (borders_.size() < 2) return;
+    cut();
+    join(findings);
+  }
+
+ private:
+  void collect() {
+    borders_.clear();
+    places_.clear();
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (std::size_t l = 0; l < faces_[f].loops.size(); ++l) {
+        for (std::size_t e = 0; e < faces_[f].loops[l].edges.size(); ++e) {
+          borders_.emplace_back(f, faces_[f].surface, faces_[f].loops[l].edges[e]);
+          places_.push_back({f, l, e});
+        }
+      }
+    }
+  }
+  [[nodiscard]] bool a_point(const Border& border) const { return border.length() <= tolerance_; }
+
+  /// Edges that end inside others with which they run are points of those.
+  void cut() {
+    std::vector<std::vector<double>> cuts(borders_.size());
+    for (std::size_t i = 0; i < borders_.size(); ++i) {
+      for (std::size_t j = 0; j < borders_.size(); ++j) {
+        if (i == j || a_point(borders_[i]) || a_point(borders_[j])) continue;
+        if (!borders_[i].box().near(borders_[j].box(), tolerance_)) continue;
+        for (const double end : {0.0, 1.0}) {
+          const Point3 p = borders_[j].at(end);
+          const Border::Nearest there = borders_[i].nearest(p);
+          const Point3 inside = borders_[j].at(std::abs(end - 0.05));
+          if (there.distance > tolerance_ || borders_[i].nearest(inside).distance > tolerance_) continue;
+          if (distance(p, borders_[i].start()) <= 2.0 * tolerance_ ||
+              distance(p, borders_[i].end()) <= 2.0 * tolerance_)
+            continue;
+          cuts[i].push_back(there.t);
+        }
+      }
+    }
+    for (std::size_t i = borders_.size(); i-- > 0;) {
+      std::vector<double>& own = cuts[i];
+      std::sort(own.begin(), own.end());
+      const Border& border = borders_[i];
+      own.erase(
+          std::unique(own.begin(), own.end(),
+                      [&](double s, double t) { return distance(border.at(s), border.at(t)) <= 2.0 * tolerance_; }),
+          own.end());
+      if (own.empty()) continue;
+      std::vector<ChartEdge> pieces;
+      double from = 0.0;
+      for (const double t : own) pieces.push_back(border.part(from, t)), from = t;
+      pieces.push_back(border.part(from, 1.0));
+      auto& edges = faces_[places_[i][0]].loops[places_[i][1]].edges;
+      const auto at = edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(places_[i][2]));
+      edges.insert(at, pieces.begin(), pieces.end());
+    }
+    collect();
+  }
+
+  /// The widest gap of two edges that run beside each other, in which direction.
+  struct Beside {
+    bool against = false;
+    double gap = 0.0;
+    Point3 place;
+  };
+  [[nodiscard]] Beside beside(const Border& a, const Border& b) const {
+    Beside found;
+    const double along = std::max(distance(a.start(), b.start()), distance(a.end(), b.end()));
+    const double opposite = std::max(distance(a.start(), b.end()), distance(a.end(), b.start()));
+    found.against = opposite < along;
+    found.gap = std::min(along, opposite);
+    found.place = a.start();
+    if (found.gap > 100.0 * tolerance_) return found;
+    // A closed edge has both its ends at one place: which way it runs shows inside.
+    if (std::max(along, opposite) <= 100.0 * tolerance_) {
+      const double early = b.nearest(a.at(0.25)).t, late = b.nearest(a.at(0.5)).t;
+      found.against = late < early;
+    }
+    for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) {
+      const double gap = b.nearest(a.at(t)).distance;
+      if (gap > found.gap) found.gap = gap, found.place = a.at(t);
+    }
+    return found;
+  }
+
+  void join(std::vector<Finding>& findings) {
+    base::DisjointSets sets(borders_.size());
+    std::vector<std::uint8_t> shared(borders_.size(), 0);
+    double widest = 0.0;
+    Point3 place{};
+    std::size_t joined = 0;
+    std::vector<std::array<std::size_t, 2>> pairs;
+    std::vector<std::uint8_t> against;
+    for (std::size_t i = 0; i < borders_.size(); ++i) {
+      for (std::size_t j = i + 1; j < borders_.size(); ++j) {
+        if (a_point(borders_[i]) || a_point(borders_[j])) continue;
+        if (!borders_[i].box().near(borders_[j].box(), 100.0 * tolerance_)) continue;
+        const Beside found = beside(borders_[i], borders_[j]);
+        if (found.gap > 100.0 * tolerance_) continue;
+        if (found.gap > tolerance_) {
+          findings.push_back(
+              {"borders_near",
+               fmt::format("borders of '{}' and '{}' run beside each other, {:.3g} m apart: they are not "
+                           "joined; make them one curve if they are meant so",
+                           faces_[borders_[i].face()].name, faces_[borders_[j].face()].name, found.gap),
+               base::Place{.x = found.place.x, .y = found.place.y, .z = found.place.z}});
+          continue;
+        }
+        if (borders_[i].face() != borders_[j].face()) ++joined;
+        if (found.gap > widest) widest = found.gap, place = found.place;
+        sets.join(i, j);
+        shared[i] = shared[j] = 1;
+        pairs.push_back({i, j});
+        against.push_back(found.against ? 1 : 0);
+      }
+    }
+    number(sets, shared, pairs, against, widest);
+    if (joined == 0) return;
+    Finding finding{"borders_joined", fmt::format("{} pairs of borders are one curve", joined), {}};
+    if (widest > 1e-9 * diagonal_) {
+      finding.message += fmt::format("; the widest gap between two of them is {:.3g} m", widest);
+      finding.place.x = place.x, finding.place.y = place.y, finding.place.z = place.z;
+    }
+    findings.push_back(std::move(finding));
+  }
+
+  void number(base::DisjointSets& sets, const std::vector<std::uint8_t>& shared,
+              const std::vector<std::array<std::size_t, 2>>& pairs, const std::vector<std::uint8_t>& against,
+              double widest) {
+    std::vector<std::int8_t> turned(borders_.size(), -1);
+    for (std::size_t i = 0; i < borders_.size(); ++i) {
+      if (shared[i] == 0) continue;
+      if (turned[i] < 0) turned[i] = 0;  // The first of its curve.
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (pairs[k][0] == i && turned[pairs[k][1]] < 0)
+          turned[pairs[k][1]] = static_cast<std::int8_t>(turned[i] ^ static_cast<std::int8_t>(against[k]));
+      }
+      ChartEdge& edge = faces_[places_[i][0]].loops[places_[i][1]].edges[places_[i][2]];
+      edge.shared = static_cast<surf::trim::SharedCurveId>(sets.root(i));
+      edge.against = turned[i] == 1;
+      edge.tolerance = std::max({edge.tolerance, tolerance_, widest});
+    }
+  }
+
+  std::vector<TrimmedSurface>& faces_;
+  std::vector<Border> borders_;
+  std::vector<std::array<std::size_t, 3>> places_;  ///< Face, loop, edge of each.
+  double tolerance_ = 0.0, diagonal_ = 0.0;
+};
+
+}  // namespace
+
+void share_borders(std::vector<TrimmedSurface>& faces, std::vector<Finding>& findings,
+                   const CommonBorderOptions& options) {
+  Sharing(faces, options).run(findings);
+}
+
+}  // namespace quebra::surfaces

@@ -1,0 +1,55 @@
+#include "quebra/surfaces/mesh_step.h"
+
+#include <fmt/format.h>
+
+#include "quebra/surfaces/mesh_surfaces.h"
+
+namespace quebra::surfaces {
+
+using namespace dobra;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using meshing::MeshParams;
+
+namespace {
+
+Result<void> check(const MeshParams& params) {
+  const auto refused = [](const char* what) {
+    return Error{ErrorCode::NotSupported, fmt::format("{}, not of surfaces", what)};
+  };
+  if (params.engine == meshing::EngineChoice::Delaunay)
+    return Error{ErrorCode::NotSupported,
+                 "engine = \"delaunay\" meshes plane domains only: on surfaces give \"front\" or \"paper\""};
+  if (!params.background.empty()) return refused("a background mesh is of plane domains");
+  if (params.rosettes == meshing::UseRosettes::Yes) return refused("rosettes are of plane domains");
+  if (params.stop_after > 0) return refused("`stop_after` is of plane domains");
+  return {};
+}
+
+}  // namespace
+
+Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParams& params, const scenario::Context&,
+                                      const base::Progress& progress) {
+  DOBRA_TRY_VOID(check(params));
+  SurfaceMeshOptions options;
+  options.sizes = {.largest = params.size,
+                   .turn = params.turn.degrees(),
+                   .chord = params.chord,
+                   .growth = params.growth,
+                   .narrow = params.narrow};
+  options.engine = params.engine == meshing::EngineChoice::Paper ? SurfaceEngine::Paper : SurfaceEngine::Front;
+  options.smoothing = params.smoothing;
+  options.quadrilaterals = params.quadrilaterals == meshing::Quadrilaterals::Yes;
+  options.second_order = params.order == meshing::Order::Second;
+  options.most_triangles = static_cast<std::size_t>(params.max_elements);
+  DOBRA_TRY(model::SurfaceMeshed meshed, mesh_surfaces(*model.surfaces, options, progress));
+  model::Model result = model;
+  result.work.reset();
+  meshed.name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.surface_meshes.size() + 1);
+  for (const surf::mesh::Finding& finding : meshed.findings) result.remarks.push_back(finding.message);
+  result.surface_meshes.push_back(std::make_shared<const model::SurfaceMeshed>(std::move(meshed)));
+  return result;
+}
+
+}  // namespace quebra::surfaces

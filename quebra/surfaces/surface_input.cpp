@@ -1,0 +1,223 @@
+#include "quebra/surfaces/surface_input.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "quebra/surfaces/common_borders.h"
+#include "quebra/surfaces/trimming.h"
+#include "shared/base/text.h"
+
+namespace quebra::surfaces {
+
+using namespace dobra;
+using base::Error;
+using base::ErrorCode;
+using base::Place;
+using base::Result;
+using surf::Curve;
+using surf::Surface;
+
+namespace {
+
+/// Whether a message speaks of a key: as a word, one of a letter or two in quotes.
+bool speaks_of(const std::string& message, const std::string& key) {
+  if (message.find('`' + key + '`') != std::string::npos) return true;
+  if (key.size() < 3) return false;
+  const auto in_word = [&](std::size_t i) {
+    return i < message.size() && (std::isalnum(static_cast<unsigned char>(message[i])) != 0 || message[i] == '_');
+  };
+  for (std::size_t at = message.find(key); at != std::string::npos; at = message.find(key, at + 1)) {
+    if ((at == 0 || !in_word(at - 1)) && !in_word(at + key.size())) return true;
+  }
+  return false;
+}
+
+/// Makes the faces; each step has the line of the table that it is about.
+class Maker {
+ public:
+  Maker(const SurfaceInput& input, const scenario::Table& table, const scenario::UnitSystem& units)
+      : input_(input), table_(table), units_(units) {}
+
+  Result<Surfaces> run() {
+    DOBRA_TRY_VOID(make_curves());
+    DOBRA_TRY_VOID(make_all());
+    DOBRA_TRY_VOID(check_owners());
+    Surfaces made;
+    for (std::size_t s = 0; s < input_.surfaces.size(); ++s) {
+      if (input_.surfaces[s].use == SurfaceUse::Tool) continue;
+      DOBRA_TRY(std::vector<surf::trim::TrimmedSurface> faces, trimmed(s, made.findings));
+      for (auto& face : faces) {
+        face.reversed = input_.surfaces[s].facing == Facing::Against;
+        face.place = place("surface", s);
+        face.place.item.clear();
+        made.faces.push_back(std::move(face));
+        made.units.push_back(chart_units(input_.surfaces[s].kind, units_));
+      }
+    }
+    share_borders(made.faces, made.findings);
+    return made;
+  }
+
+ private:
+  [[nodiscard]] const scenario::Table& row(const char* key, std::size_t i) const {
+    return std::get<std::vector<scenario::Table>>(*table_.find(key))[i];
+  }
+  [[nodiscard]] Place place(const char* key, std::size_t i) const {
+    const scenario::Value* rows = table_.find(key);
+    Place at = rows == nullptr ? Place{} : row(key, i).own_place;
+    at.item = item(key, i);
+    return at;
+  }
+  [[nodiscard]] std::string item(const std::string& key, std::size_t i) const {
+    if (key == "space_curve") return fmt::format("space curve '{}'", input_.space_curves[i].name);
+    if (key == "surface") return fmt::format("surface '{}'", input_.surfaces[i].name);
+    if (key == "trim") return fmt::format("trim '{}'", input_.trims[i].name);
+    if (key == "surface_point") return fmt::format("point '{}'", input_.surface_points[i].name);
+    return fmt::format("{} {}", key, i + 1);
+  }
+  /// With the line of the key that the message names, "knots_u", if the table has it.
+  [[nodiscard]] Error at_line(const Error& error, const char* key, std::size_t i) const {
+    Place at = place(key, i);
+    if (table_.find(key) != nullptr) {
+      std::size_t longest = 0;
+      for (const auto& entry : row(key, i).entries()) {
+        if (entry.key.size() <= longest || !speaks_of(error.message, entry.key)) continue;
+        longest = entry.key.size();
+        at.line = entry.place.line, at.column = entry.place.column;
+      }
+    }
+    return base::located(error, at);
+  }
+
+  Result<void> make_curves() {
+    for (std::size_t i = 0; i < input_.space_curves.size(); ++i) {
+      auto curve = make_space_curve(input_.space_curves[i]);
+      if (!curve) return at_line(curve.error(), "space_curve", i);
+      if (!curves_.emplace(input_.space_curves[i].name, *std::move(curve)).second)
+        return Error{ErrorCode::BadValue, "two space curves have this name; names must differ",
+                     place("space_curve", i)};
+    }
+    return {};
+  }
+
+  Result<void> make_all() {
+    for (std::size_t i = 0; i < input_.surfaces.size(); ++i) {
+      const SurfaceParams& params = input_.surfaces[i];
+      std::vector<Curve> curves;
+      for (const std::string& name : params.curves) {
+        const auto known = curves_.find(name);
+        if (known == curves_.end())
+          return at_line(unknown("curves", "space curve", name, names_of(curves_)), "surface", i);
+        curves.push_back(known->second);
+      }
+      auto surface = make_surface(params, curves);
+      if (!surface) return at_line(surface.error(), "surface", i);
+      if (!number_.emplace(params.name, i).second)
+        return Error{ErrorCode::BadValue, "two surfaces have this name; names must differ", place("surface", i)};
+      surfaces_.push_back(*std::move(surface));
+    }
+    return {};
+  }
+
+  template <class T>
+  static std::vector<std::string> names_of(const std::map<std::string, T>& all) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : all) names.push_back(name);
+    return names;
+  }
+  static Error unknown(const char* key, const char* what, const std::string& name,
+                       const std::vector<std::string>& known) {
+    std::string hint = base::did_you_mean(name, known);
+    if (hint.empty() && !known.empty()) hint = fmt::format("; there are: {}", fmt::join(known, ", "));
+    return {ErrorCode::BadValue, fmt::format("`{}`: there is no {} '{}'{}", key, what, name, hint)};
+  }
+
+  /// The surface that a trim, part or point lies on.
+  [[nodiscard]] Result<std::size_t> owner(const std::string& name) const {
+    std::vector<std::string> meshed;
+    for (const SurfaceParams& params : input_.surfaces)
+      if (params.use == SurfaceUse::Mesh) meshed.push_back(params.name);
+    if (name.empty()) {
+      if (meshed.size() == 1) return number_.at(meshed[0]);
+      return Error{ErrorCode::MissingKey, fmt::format("`surface` is needed: {} surfaces are meshed", meshed.size())};
+    }
+    const auto known = number_.find(name);
+    if (known == number_.end()) return unknown("surface", "surface", name, names_of(number_));
+    if (input_.surfaces[known->second].use == SurfaceUse::Tool)
+      return Error{ErrorCode::BadValue, fmt::format("`surface`: '{}' is a tool and is not meshed", name)};
+    return known->second;
+  }
+
+  Result<void> check_owners() {
+    const auto check = [&](const auto& rows, const char* key, auto& owners) -> Result<void> {
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        auto surface = owner(rows[i].surface);
+        if (!surface) return at_line(surface.error(), key, i);
+        owners.push_back(*surface);
+      }
+      return {};
+    };
+    DOBRA_TRY_VOID(check(input_.trims, "trim", trim_owner_));
+    DOBRA_TRY_VOID(check(input_.parts, "part", part_owner_));
+    DOBRA_TRY_VOID(check(input_.surface_points, "surface_point", point_owner_));
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < input_.trims.size(); ++i) {
+      if (!names.insert(input_.trims[i].name).second)
+        return Error{ErrorCode::BadValue, "two trims have this name; names must differ", place("trim", i)};
+    }
+    return {};
+  }
+
+  Result<std::vector<surf::trim::TrimmedSurface>> trimmed(std::size_t s,
+                                                          std::vector<surf::mesh::Finding>& findings) const {
+    const ChartUnits units = chart_units(input_.surfaces[s].kind, units_);
+    Trimming work(surfaces_[s], input_.surfaces[s].name, units);
+    for (std::size_t i = 0; i < input_.trims.size(); ++i) {
+      if (trim_owner_[i] != s) continue;
+      const TrimParams& trim = input_.trims[i];
+      std::optional<Surface> tool;
+      if (trim.kind == TrimKind::Surface) {
+        const auto known = number_.find(trim.tool);
+        if (known == number_.end()) return at_line(unknown("tool", "surface", trim.tool, names_of(number_)), "trim", i);
+        if (known->second == s)
+          return at_line({ErrorCode::BadValue, "`tool`: a surface does not cut itself"}, "trim", i);
+        tool = surfaces_[known->second];
+      }
+      if (const auto added = work.add(trim, tool); !added) return at_line(added.error(), "trim", i);
+    }
+    for (std::size_t i = 0; i < input_.parts.size(); ++i) {
+      if (part_owner_[i] != s) continue;
+      if (const auto added = work.add(input_.parts[i]); !added) return at_line(added.error(), "part", i);
+    }
+    for (std::size_t i = 0; i < input_.surface_points.size(); ++i) {
+      if (point_owner_[i] != s) continue;
+      if (const auto added = work.add(input_.surface_points[i]); !added)
+        return at_line(added.error(), "surface_point", i);
+    }
+    auto faces = work.faces(findings);
+    if (!faces) return base::located(faces.error(), place("surface", s));
+    return faces;
+  }
+
+  const SurfaceInput& input_;
+  const scenario::Table& table_;
+  const scenario::UnitSystem& units_;
+  std::map<std::string, Curve> curves_;
+  std::map<std::string, std::size_t> number_;
+  std::vector<Surface> surfaces_;
+  std::vector<std::size_t> trim_owner_, part_owner_, point_owner_;
+};
+
+}  // namespace
+
+Result<Surfaces> make_surfaces(const SurfaceInput& input, const scenario::Table& table,
+                               const scenario::UnitSystem& units) {
+  return Maker(input, table, units).run();
+}
+
+}  // namespace quebra::surfaces

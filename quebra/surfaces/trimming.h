@@ -1,0 +1,67 @@
+#pragma once
+// What trims leave of one surface: loops in its chart, lines and points inside. Page: docs/user/surfaces.md.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quebra/surfaces/trim_params.h"
+#include "shared/surf/mesh/surface_mesh.h"
+#include "shared/surf/trim/recognise.h"
+#include "shared/surf/trim/trimmed_surface.h"
+
+namespace quebra::surfaces {
+
+class Trimming {
+ public:
+  Trimming(dobra::surf::Surface surface, std::string name, ChartUnits units);
+
+  /// @param tool  the other surface of a trim of kind surface.
+  /// @error BadValue: what its kind needs is missing; BadDomain with the place: it leaves the chart, does not close
+  /// where
+  ///        it must, or does not meet the surface.
+  dobra::base::Result<void> add(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);
+  /// @error BadValue: no place, or two.
+  dobra::base::Result<void> add(const PartParams& part);
+  dobra::base::Result<void> add(const SurfacePointParams& point);
+
+  /// The faces that are left; their loops have the outside on the right. Sides of the chart are the sets NAME_left,
+  /// NAME_right (ends of u), NAME_bottom and NAME_top (ends of v).
+  /// @error BadDomain with the place: lines that cross, parts that are not there, nothing left.
+  dobra::base::Result<std::vector<dobra::surf::trim::TrimmedSurface>> faces(
+      std::vector<dobra::surf::mesh::Finding>& findings) const;
+
+ private:
+  dobra::base::Result<void> add_cut(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);
+  void chain(const TrimParams& trim, std::vector<dobra::surf::trim::ChartEdge> edges);
+  /// A curve of a trim, or several that follow each other.
+  struct Drawn {
+    TrimRole role;
+    std::string name;
+    bool closed = false;
+    std::vector<dobra::surf::trim::ChartEdge> edges;
+  };
+  struct Picked {
+    PartFate fate;
+    std::string name;
+    dobra::geom::Point at;
+  };
+  /// Beyond a closed direction by whole periods too.
+  [[nodiscard]] bool encloses(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
+  [[nodiscard]] dobra::base::Error as_written(dobra::base::Error error) const;
+  [[nodiscard]] dobra::base::Result<std::vector<std::size_t>> kept(
+      const dobra::surf::trim::Recognised& recognised) const;
+  void add_regions(dobra::surf::trim::TrimmedSurface& face) const;
+  [[nodiscard]] dobra::base::Result<dobra::geom::Point> place_of(const std::optional<dobra::geom::Point>& at,
+                                                                 const std::optional<dobra::geom::Point3>& place) const;
+  [[nodiscard]] dobra::base::Error refused(const std::string& message, dobra::geom::Point uv) const;
+
+  dobra::surf::Surface surface_;
+  std::string name_;
+  ChartUnits units_;
+  std::vector<Drawn> drawn_;
+  std::vector<Picked> parts_;
+  std::vector<dobra::surf::trim::ChartPoint> points_;
+};
+
+}  // namespace quebra::surfaces

@@ -1,0 +1,193 @@
+#include "shared/surf/trim/area.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <queue>
+
+namespace dobra::surf::trim {
+
+using geom::Box;
+using geom::Point;
+
+namespace {
+
+/// Fifteen places on -1 .. 1 with the weights of Kronrod's rule, and of Gauss's with seven of them.
+struct Rule {
+  std::array<double, 15> at{}, weight{}, gauss{};
+  Rule() {
+    using Kronrod = boost::math::quadrature::gauss_kronrod<double, 15>;
+    using Gauss = boost::math::quadrature::gauss<double, 7>;
+    for (std::size_t i = 0; i < 8; ++i) {
+      at[7 + i] = Kronrod::abscissa()[i], at[7 - i] = -at[7 + i];
+      weight[7 + i] = weight[7 - i] = Kronrod::weights()[i];
+      if (i % 2 == 0) gauss[7 + i] = gauss[7 - i] = Gauss::weights()[i / 2];
+    }
+  }
+};
+const Rule& rule() {
+  static const Rule made;
+  return made;
+}
+
+/// The area element summed along u from the left of the chart.
+class Strip {
+ public:
+  Strip(const Surface& surface, double tolerance) : surface_(surface), tolerance_(tolerance) {}
+
+  [[nodiscard]] Measured to(Point uv) const {
+    const std::vector<double>& breaks = surface_.breaks().u;
+    Measured sum;
+    double last = breaks.front();
+    if (uv.x < last) {
+      sum = part(uv.x, last, uv.y, 0);
+      return {-sum.value, sum.error};
+    }
+    for (std::size_t i = 1; i < breaks.size() && last < uv.x; ++i) {
+      const double end = i + 1 == breaks.size() ? uv.x : std::min(breaks[i], uv.x);
+      const Measured more = part(last, end, uv.y, 0);
+      sum = {sum.value + more.value, sum.error + more.error};
+      last = end;
+    }
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] Measured part(double from, double to, double v, int depth) const {
+    std::array<Point, 15> uv{};
+    std::array<Jet, 15> jets{};
+    const double half = 0.5 * (to - from), middle = from + half;
+    for (std::size_t i = 0; i < 15; ++i) uv[i] = {middle + half * rule().at[i], v};
+    surface_.jets(uv, jets);
+    double kronrod = 0.0, gauss = 0.0;
+    for (std::size_t i = 0; i < 15; ++i) {
+      const double element = geom::length(cross(jets[i].u, jets[i].v));
+      kronrod += rule().weight[i] * element;
+      gauss += rule().gauss[i] * element;
+    }
+    const Measured alone{half * kronrod, std::abs(half * (kronrod - gauss))};
+    constexpr int deepest = 14;
+    if (!(alone.error > tolerance_ * std::abs(alone.value) + 1e-300) || depth == deepest) return alone;
+    const Measured a = part(from, middle, v, depth + 1), b = part(middle, to, v, depth + 1);
+    return {a.value + b.value, a.error + b.error};
+  }
+
+  const Surface& surface_;
+  double tolerance_;
+};
+
+/// A part of an edge, followed forwards or backwards.
+struct LoopPiece {
+  const ChartEdge* edge = nullptr;
+  double from = 0.0, to = 0.0;
+  Measured area;
+  int depth = 0;
+  bool operator<(const LoopPiece& other) const { return area.error < other.area.error; }
+};
+
+void measure(const Strip& strip, LoopPiece& piece) {
+  const double half = 0.5 * (piece.to - piece.from), middle = piece.from + half;
+  double kronrod = 0.0, gauss = 0.0, inner = 0.0;
+  for (std::size_t i = 0; i < 15; ++i) {
+    const Curve::Jet jet = piece.edge->curve.jet(middle + half * rule().at[i]);
+    const double slope = jet.first.y;
+    if (slope == 0.0) continue;
+    const Measured to_here = strip.to({jet.at.x, jet.at.y});
+    kronrod += rule().weight[i] * slope * to_here.value;
+    gauss += rule().gauss[i] * slope * to_here.value;
+    inner += rule().weight[i] * std::abs(slope) * to_here.error;
+  }
+  piece.area = {half * kronrod, std::abs(half) * (std::abs(kronrod - gauss) + inner)};
+}
+
+/// Parameters at which the edge has a break, or passes one of the surface; ends included, in the edge's direction.
+std::vector<double> cuts_of(const Surface& surface, const ChartEdge& edge) {
+  const double low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
+  std::vector<double> cuts{low};
+  for (const double at : edge.curve.breaks()) {
+    if (at > low && at < high) cuts.push_back(at);
+  }
+  cuts.push_back(high);
+  std::vector<double> more;
+  constexpr int places = 16;
+  const auto passes = [&](double a, double b, double at, bool of_u) {
+    const auto beside = [&](double t) { return (of_u ? edge.at(t).x : edge.at(t).y) - at; };
+    if (beside(a) * beside(b) >= 0.0) return;
+    const bool rises = beside(b) > 0.0;
+    for (int i = 0; i < 60; ++i) {
+      const double m = 0.5 * (a + b);
+      ((beside(m) > 0.0) == rises ? b : a) = m;
+    }
+    more.push_back(0.5 * (a + b));
+  };
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    for (int k = 0; k < places; ++k) {
+      const double a = std::lerp(cuts[i - 1], cuts[i], static_cast<double>(k) / places);
+      const double b = std::lerp(cuts[i - 1], cuts[i], (k + 1.0) / places);
+      for (const double u : surface.breaks().u) passes(a, b, u, true);
+      for (const double v : surface.breaks().v) passes(a, b, v, false);
+    }
+  }
+  cuts.insert(cuts.end(), more.begin(), more.end());
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  if (edge.from > edge.to) std::reverse(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+/// Of the box of the loops, roughly.
+double area_of_box(const TrimmedSurface& face) {
+  Box box;
+  for (const ChartLoop& loop : face.loops) {
+    for (const ChartEdge& edge : loop.edges) {
+      for (int i = 0; i <= 8; ++i) box.add(edge.at(std::lerp(edge.from, edge.to, i / 8.0)));
+    }
+  }
+  double sum = 0.0;
+  constexpr int places = 5;
+  for (int i = 0; i < places * places; ++i) {
+    const Jet jet = face.surface.jet({std::lerp(box.low.x, box.high.x, (i / places + 0.5) / places),
+                                      std::lerp(box.low.y, box.high.y, (i % places + 0.5) / places)});
+    sum += geom::length(cross(jet.u, jet.v));
+  }
+  return box.empty() ? 0.0 : sum / (places * places) * box.width() * box.height();
+}
+
+}  // namespace
+
+Measured area(const TrimmedSurface& face, double tolerance) {
+  const Strip strip(face.surface, 0.1 * tolerance);
+  std::priority_queue<LoopPiece> pieces;
+  Measured sum;
+  const auto add = [&](LoopPiece piece) {
+    measure(strip, piece);
+    sum.value += piece.area.value;
+    sum.error += piece.area.error;
+    pieces.push(piece);
+  };
+  for (const ChartLoop& loop : face.loops) {
+    for (const ChartEdge& edge : loop.edges) {
+      const std::vector<double> cuts = cuts_of(face.surface, edge);
+      for (std::size_t i = 1; i < cuts.size(); ++i) add({&edge, cuts[i - 1], cuts[i], {}, 0});
+    }
+  }
+  constexpr double thin = 1e-3;
+  constexpr std::size_t most = 20'000;
+  constexpr int deepest = 40;
+  const double least = thin * area_of_box(face);
+  while (!pieces.empty() && pieces.size() < most && sum.error > tolerance * std::max(std::abs(sum.value), least)) {
+    const LoopPiece worst = pieces.top();
+    pieces.pop();
+    if (worst.depth == deepest) continue;  // its error stays in the sum
+    sum.value -= worst.area.value;
+    sum.error -= worst.area.error;
+    const double middle = 0.5 * (worst.from + worst.to);
+    add({worst.edge, worst.from, middle, {}, worst.depth + 1});
+    add({worst.edge, middle, worst.to, {}, worst.depth + 1});
+  }
+  return sum;
+}
+
+}  // namespace dobra::surf::trim
