@@ -29,7 +29,7 @@ class Lengths {
       : shown_(document.shown_units()), own_(document.units), same_(shown_.text() == own_.text()) {}
 
   [[nodiscard]] double in_document(double shown) const {
-    return same_ ? shown : own_.from_si(shown_.to_si(shown, "m"), "m");
+    return same_ ? shown : dobra::base::without_rounding(own_.from_si(shown_.to_si(shown, "m"), "m"));
   }
   [[nodiscard]] Point in_document(Point shown) const { return {in_document(shown.x), in_document(shown.y)}; }
   [[nodiscard]] Point in_picture(Point si) const { return {shown_.from_si(si.x, "m"), shown_.from_si(si.y, "m")}; }
@@ -258,22 +258,36 @@ Result<scenario::Document> with_curve(scenario::Document document, const std::st
   return document;
 }
 
+std::string name_of(const domain::Domain& domain, const scene::Pick& pick) {
+  if (pick.layer == "points" && pick.id < domain.points.size()) return domain.points[pick.id].name;
+  if (pick.layer == "regions" && pick.id < domain.regions.size()) return domain.regions[pick.id].name;
+  const bool curve = pick.layer == "boundary" || pick.layer == "internal" || pick.layer == "cracks";
+  return curve && pick.id < domain.curves.size() ? domain.curves[pick.id].name : std::string();
+}
+
 scenario::Drawing drawing() {
   using Of = scenario::Drawing::Kind::Of;
   return {
-      .kinds = {{"outline", "Outline", Of::Polygons},
-                {"hole", "Hole", Of::Polygons},
-                {"crack", "Crack"},
-                {"internal", "Internal line"},
-                {"boundary", "Part of the boundary"},
+      .kinds = {{"outline", "Outline", Of::Polygons, "curve"},
+                {"hole", "Hole", Of::Polygons, "curve"},
+                {"crack", "Crack", Of::Lines, "curve"},
+                {"internal", "Internal line", Of::Lines, "curve"},
+                {"boundary", "Part of the boundary", Of::Lines, "curve"},
                 {"point", "Point", Of::Points},
                 {"region", "Region", Of::Points}},
+      .height = "y",
       .edit =
           [](const scenario::Document& document, const scenario::State& input, std::span<const scene::LineEdit> edits) {
             return with_curves_edited(document, scenario::model_of<model::Model>(input), edits);
           },
       .add = [](const scenario::Document& document, const std::string& kind, const std::string& name,
-                const geom::Polyline& line) { return with_curve(document, kind, name, line); }};
+                const geom::Polyline& line) { return with_curve(document, kind, name, line); },
+      .unit_length =
+          [](const scenario::Document& document) {
+            return document.shown_units().from_si(document.units.to_si(1.0, "m"), "m");
+          },
+      .name_of = [](const scenario::State& input,
+                    const scene::Pick& pick) { return name_of(scenario::model_of<model::Model>(input).domain, pick); }};
 }
 
 }  // namespace quebra::core

@@ -103,8 +103,8 @@ void add_section_remarks(const model::Model& model, std::vector<std::string>& re
 scenario::Drawing drawing() {
   using Of = scenario::Drawing::Kind::Of;
   return {
-      .kinds = {{"horizon", "Horizon"},
-                {"fault", "Fault"},
+      .kinds = {{"horizon", "Horizon", Of::Lines, "horizon"},
+                {"fault", "Fault", Of::Lines, "fault"},
                 {"pin", "Pin line"},
                 {"loose", "Loose line"},
                 {"topography", "Topography"},
@@ -122,7 +122,8 @@ scenario::Drawing drawing() {
           [](const scenario::Document& before, scenario::Document after, const scenario::State& input) {
             const std::set<std::string> gone = input::horizons_gone(before, after);
             return input::with_colors_kept(std::move(after), scenario::model_of<model::Model>(input).section, gone);
-          }};
+          },
+      .unit_length = input::unit_length};
 }
 
 scenario::Program make_program() {

@@ -16,6 +16,7 @@
 #include "recon/input/input.h"
 #include "recon/input/line_file.h"
 #include "recon/input/section_input.h"
+#include "shared/base/short_number.h"
 #include "shared/base/text.h"
 #include "shared/scenario/entries.h"
 
@@ -55,7 +56,7 @@ class Coordinates {
     points.reserve(line.points.size() + 1);
     for (std::size_t i = head; i < line.points.size() - tail; ++i) {
       const auto found = known.find(line.points[i]);
-      points.push_back(found == known.end() ? section::from_section(line.points[i], convention_) : found->second);
+      points.push_back(found == known.end() ? written_as(line.points[i]) : found->second);
     }
     points.insert(points.end(), written.end() - static_cast<std::ptrdiff_t>(tail), written.end());
     if (line.closed) points.push_back(points.front());
@@ -63,6 +64,17 @@ class Coordinates {
   }
 
  private:
+  /// Turned back, the numbers of a document carry the rounding of the way there: short ones are taken, unless only the
+  /// long ones give the very place.
+  [[nodiscard]] geom::Point written_as(geom::Point in_section) const {
+    const geom::Point exact = section::from_section(in_section, convention_);
+    const geom::Point shorter{base::without_rounding(exact.x), base::without_rounding(exact.y)};
+    const geom::Point there = to_section(shorter, convention_);
+    const geom::Point back = to_section(exact, convention_);
+    return {there.x != in_section.x && back.x == in_section.x ? exact.x : shorter.x,
+            there.y != in_section.y && back.y == in_section.y ? exact.y : shorter.y};
+  }
+
   section::Convention convention_;
 };
 
@@ -251,6 +263,13 @@ base::Result<scenario::Document> with_lines_edited(scenario::Document document, 
     DOBRA_TRY(document, with_marker_edited(std::move(document), section, section.markers[marker], changes));
   }
   return with_colors_kept(std::move(document), section, gone);
+}
+
+double unit_length(const scenario::Document& document) {
+  const std::string unit = scenario::text_in(document.input, "unit");
+  return section::metres_per_unit(unit == "km"   ? section::LengthUnit::Kilometre
+                                  : unit == "ft" ? section::LengthUnit::Foot
+                                                 : section::LengthUnit::Metre);
 }
 
 base::Result<scenario::Document> with_line(scenario::Document document, const std::string& table,

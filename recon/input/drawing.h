@@ -24,4 +24,7 @@ base::Result<dobra::scenario::Document> with_lines_edited(dobra::scenario::Docum
 base::Result<dobra::scenario::Document> with_line(dobra::scenario::Document document, const std::string& table,
                                                   const std::string& name, const geom::Polyline& line);
 
+/// Metres in one unit of the points of the document.
+double unit_length(const dobra::scenario::Document& document);
+
 }  // namespace recon::input

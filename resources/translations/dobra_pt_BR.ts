@@ -5462,5 +5462,21 @@
         <source>The text of %1 has changes that are not saved.</source>
         <translation>O texto de %1 tem alterações que não foram salvas.</translation>
     </message>
+    <message>
+        <source>Nothing that can be done is called so.</source>
+        <translation>Nada do que se pode fazer tem esse nome.</translation>
+    </message>
+    <message>
+        <source>Import...</source>
+        <translation>Importar...</translation>
+    </message>
+    <message>
+        <source>Lines of a text, GeoJSON, DXF or other file</source>
+        <translation>Linhas de um arquivo de texto, GeoJSON, DXF ou outro</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>etapa %1</translation>
+    </message>
 </context>
 </TS>

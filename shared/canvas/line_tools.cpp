@@ -123,7 +123,7 @@ class LineTool final : public Tool {
     const auto as = [&](const scene::Pick& kept, const scene::Pick& gone) {
       return Edited{{{kept, {*line}}, {gone, {}}}, translated("Join lines"), Stage::Done};
     };
-    const std::string name = work.title(first), other = work.title(pick);
+    const std::string name = work.name(first), other = work.name(pick);
     if (name == other) {
       say(as(first, pick));
     } else {

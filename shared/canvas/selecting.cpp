@@ -39,7 +39,7 @@ std::string selection_text(const Workspace& work) {
     ++lines;
     vertices += line->points.size();
     length += geom::length(*line);
-    name = work.title(pick);
+    name = work.name(pick);
   }
   if (lines == 0) return {};
   const std::string who = lines == 1 && !name.empty() ? name : fmt::format(fmt::runtime(translated("{} lines")), lines);
@@ -57,7 +57,7 @@ std::string dip_text(const Workspace& work, const Snap& on) {
   if (way.x == 0.0 && way.y == 0.0) return {};
   const double dip = std::atan2(std::abs(way.y), std::abs(way.x)) * 180.0 / std::numbers::pi;
   const std::string told = with_decimal_mark(fmt::format(fmt::runtime(translated("dip {:.1f}°")), dip));
-  const std::string name = work.title(*on.on);
+  const std::string name = work.name(*on.on);
   return name.empty() ? told : fmt::format("{} ({})", told, name);
 }
 
@@ -79,7 +79,7 @@ std::vector<NamedLine> selected_lines(const Workspace& work) {
   std::vector<NamedLine> lines;
   for (const auto& [pick, chosen] : work.selection) {
     const geom::Polyline* line = work.empty() ? nullptr : work.line(pick);
-    if (line != nullptr) lines.push_back({work.title(pick), *line});
+    if (line != nullptr) lines.push_back({work.name(pick), *line});
   }
   return lines;
 }

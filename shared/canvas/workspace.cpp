@@ -63,6 +63,11 @@ std::string Workspace::title(const scene::Pick& pick) const {
   return found == panel().layers.end() ? std::string() : found->title;
 }
 
+std::string Workspace::name(const scene::Pick& pick) const {
+  std::string own = names_ ? names_(pick) : std::string();
+  return own.empty() ? title(pick) : own;
+}
+
 std::vector<std::pair<scene::Pick, const geom::Polyline*>> Workspace::lines() const {
   std::vector<std::pair<scene::Pick, const geom::Polyline*>> all;
   for_each_line(panel(), hidden_,

@@ -1,6 +1,7 @@
 #pragma once
 // What the tools of a canvas work on: the lines of one panel of the picture, and which of them are selected.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -41,6 +42,10 @@ class Workspace {
   [[nodiscard]] const geom::Polyline* line(const scene::Pick& pick) const;
   /// What the layer of a pick is called; empty where there is none.
   [[nodiscard]] std::string title(const scene::Pick& pick) const;
+  /// What the line itself is called: what `names` gives, or the title of its layer where that gives nothing.
+  [[nodiscard]] std::string name(const scene::Pick& pick) const;
+  /// Lines of one layer that have names of their own.
+  void set_names(std::function<std::string(const scene::Pick&)> names) { names_ = std::move(names); }
   /// All lines of the visible layers.
   [[nodiscard]] std::vector<std::pair<scene::Pick, const geom::Polyline*>> lines() const;
   /// All markers of the visible layers.
@@ -58,6 +63,7 @@ class Workspace {
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
   std::optional<std::set<scene::Pick>> editable_;
+  std::function<std::string(const scene::Pick&)> names_;
   std::vector<std::pair<scene::Pick, geom::Polyline>> markers_;
   mutable std::optional<SnapIndex> snaps_;
 };

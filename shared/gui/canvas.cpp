@@ -73,7 +73,9 @@ class Canvas::Sheet : public QWidget {
       if (line != nullptr) over.glow(*line);  // where a click selects
     }
     const bool snapped = canvas_.pointer_ && canvas_.pointer_->snap;
-    over.draw(canvas_.tool_->overlay(canvas_.work_), snapped ? &*canvas_.pointer_->snap : nullptr);
+    canvas::Overlay overlay = canvas_.tool_->overlay(canvas_.work_);
+    if (canvas_.being_named_) overlay.lines.push_back(*canvas_.being_named_);
+    over.draw(overlay, snapped ? &*canvas_.pointer_->snap : nullptr);
   }
 
  private:
@@ -142,7 +144,10 @@ void Canvas::say(const QString& message) {
 }
 
 void Canvas::show_hint() {
-  emit told(said_.isEmpty() ? text_of(tool_->hint()) : said_);
+  QString hint = text_of(tool_->hint());
+  if (const QString height = text_of(session_.program().drawing.height); height != "z")
+    hint.replace("x,z", "x," + height).replace("@dx,dz", "@dx,d" + height);
+  emit told(said_.isEmpty() ? hint : said_);
   if (std::exchange(was_unfinished_, unfinished()) != unfinished()) emit unfinished_changed();
   if (told_selection_ != work_.selection) {
     told_selection_ = work_.selection;
@@ -180,6 +185,7 @@ void Canvas::use_panel(std::size_t panel) {
   if (picture_ && panel < picture_->panels.size()) {
     work_.show(picture_, panel, hidden_);
     work_.set_editable(std::nullopt);
+    work_.set_names([this](const scene::Pick& pick) { return name_in_input(pick); });
     if (session_.program().drawing.edit && base_->input)
       work_.set_editable(documents::lines_of_input(picture_->panels[panel], *base_));
   } else {  // nothing is there yet: the first line is drawn on an empty sheet
@@ -192,6 +198,14 @@ void Canvas::use_panel(std::size_t panel) {
   told_selection_ = work_.selection;
   emit lines_changed();
   sheet_->update();
+}
+
+/// Of a line that the picture has from the input as it is; empty: it has no name of its own.
+std::string Canvas::name_in_input(const scene::Pick& pick) const {
+  const auto& name_of = session_.program().drawing.name_of;
+  if (!name_of || !base_ || base_->run.states.empty()) return {};
+  if (work_.editable() == nullptr || !work_.editable()->contains(pick)) return {};
+  return name_of(base_->run.states.front(), documents::of_input(pick));
 }
 
 void Canvas::select(canvas::Selection selection) {
@@ -229,7 +243,10 @@ std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardMod
   const double size = view_.view(panel_).world_per_point;
   canvas::Pointer pointer;
   pointer.exaggeration = view_.exaggeration(panel_);
-  pointer.at = {rounded(spot->at.x, size), rounded(spot->at.y, size / pointer.exaggeration)};
+  const auto& unit_length = session_.program().drawing.unit_length;
+  const double unit = unit_length ? unit_length(session_.document()) : 1.0;  // the document's numbers are to be short
+  pointer.at = {unit * rounded(spot->at.x / unit, size / unit),
+                unit * rounded(spot->at.y / unit, size / pointer.exaggeration / unit)};
   pointer.reach = reach * size;
   if (keys & Qt::ShiftModifier) pointer.modifier = canvas::Modifier::Add;
   if (keys & Qt::ControlModifier) pointer.modifier = canvas::Modifier::Toggle;
@@ -443,7 +460,7 @@ void Canvas::show_menu(QPoint global) {
   }
   if (!work_.selection.contains(*on->on)) work_.selection = {{*on->on, {}}};
   say(text_of(canvas::selection_text(work_)));
-  view::show_line_menu(text_of(title), possible, global, &view_,
+  view::show_line_menu(text_of(work_.name(*on->on)), possible, global, &view_,
                        [this, on = *on](LineCommand command) { carry_out(command, on); });
 }
 
@@ -498,7 +515,13 @@ void Canvas::carry_out() { carry_out(tool_->take()); }
 void Canvas::carry_out(const std::vector<canvas::Change>& changes) {
   for (const canvas::Change& change : changes) {
     if (const auto* edited = std::get_if<canvas::Edited>(&change)) carry_out(*edited);
-    if (const auto* what = std::get_if<canvas::Drawn>(&change)) emit drawn(*what);
+    if (const auto* what = std::get_if<canvas::Drawn>(&change)) {
+      being_named_ = what->line;
+      sheet_->update();
+      emit drawn(*what);
+      being_named_.reset();
+      sheet_->update();
+    }
     if (const auto* message = std::get_if<canvas::Told>(&change)) say(text_of(message->message));
     if (const auto* question = std::get_if<canvas::Asked>(&change)) emit asked(*question);
     if (std::holds_alternative<canvas::PutAway>(change)) emit put_away();

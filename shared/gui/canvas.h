@@ -7,6 +7,7 @@
 #include <QPointF>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -123,6 +124,7 @@ class Canvas : public QObject {
   void carry_out();
   void carry_out(const std::vector<canvas::Change>& changes);
   void use_panel(std::size_t panel);
+  [[nodiscard]] std::string name_in_input(const scene::Pick& pick) const;
   void use_unit();
   void hover(const QMouseEvent& event);
   void forget_hover();
@@ -152,6 +154,7 @@ class Canvas : public QObject {
   bool angles_ = false;
   bool grid_snapping_ = false;
   bool previewed_ = false;
+  std::optional<geom::Polyline> being_named_;  ///< Drawn, while the window asks what it is.
   bool was_unfinished_ = false;
 };
 

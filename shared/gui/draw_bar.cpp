@@ -7,11 +7,14 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
 #include <map>
 
 #include "shared/gui/canvas.h"
+#include "shared/gui/catalogue/catalogue.h"
 #include "shared/gui/documents/line_entries.h"
 #include "shared/gui/text.h"
+#include "shared/scenario/entries.h"
 
 namespace dobra::gui {
 
@@ -34,6 +37,18 @@ Of kind_of(canvas::Shape shape) {
       break;
   }
   return Of::Lines;
+}
+
+/// Whether the section as it was read has a line called so that the document itself does not hold: one of a file.
+bool is_read_from_file(const Session& session, const std::string& kind, const std::string& name) {
+  const scenario::Program& program = session.program();
+  const auto own = std::find_if(program.drawing.kinds.begin(), program.drawing.kinds.end(),
+                                [&](const auto& each) { return each.table == kind; });
+  const documents::OutcomePtr& outcome = session.outcome();
+  if (own == program.drawing.kinds.end() || own->names.empty() || !program.names_of) return false;
+  if (!outcome || outcome->run.states.empty()) return false;
+  const std::vector<std::string> names = program.names_of(outcome->run.states.front(), own->names);
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -163,6 +178,8 @@ void DrawBar::ask(const canvas::Drawn& what) {
     return;
   }
   const auto add = [&](const std::string& kind, const std::string& name) -> base::Result<void> {
+    if (is_read_from_file(session_, kind, name))
+      return scenario::edit_refused(name, "another one has this name already; give another name");
     DOBRA_TRY(scenario::Document document, session_.program().drawing.add(session_.document(), kind, name, what.line));
     session_.edit(std::move(document), text("Draw '%1'").arg(QString::fromStdString(name)));
     return {};
@@ -172,7 +189,8 @@ void DrawBar::ask(const canvas::Drawn& what) {
   const std::string likely = last == kinds.end() ? kinds.front().table : last->table;
   // A line that was pasted beside the one that it was copied from takes the next free name.
   const auto is_free = [&](const std::string& name) {
-    return session_.program().drawing.add(session_.document(), likely, name, what.line).ok();
+    return !is_read_from_file(session_, likely, name) &&
+           session_.program().drawing.add(session_.document(), likely, name, what.line).ok();
   };
   std::string name = what.name;
   if (!name.empty() && !is_free(name)) {
@@ -262,7 +280,7 @@ std::string NewLine::kind() const { return kinds_[static_cast<std::size_t>(kind_
 void NewLine::try_to_add() {
   const base::Result<void> added = add_(kind(), name_->text().toStdString());
   if (added) return accept();
-  refused_->setText(QString::fromStdString(added.error().message));
+  refused_->setText(catalogue::translated(QString::fromStdString(added.error().message)));
   adjustSize();
   refused_->show();
   name_->setFocus();

@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <algorithm>
 #include <set>
 
@@ -90,7 +91,8 @@ void MainWindow::make_center() {
   make_taken_in_bar(*column);
   column->addWidget(view_, 1);
   welcome_ = new welcome::Page(QString::fromStdString(program_.title),
-                               part_.about.empty() ? QString() : text(part_.about.c_str()), part_.examples, center);
+                               part_.about.empty() ? QString() : text(part_.about.c_str()), part_.examples,
+                               program_.importing.look != nullptr, center);
   welcome_->hide();
   column->addWidget(welcome_, 1);
   mending_ = new mending::Page(center);
@@ -117,6 +119,7 @@ void MainWindow::make_center() {
     if (may_discard()) begin_new();
   });
   connect(welcome_, &welcome::Page::open_asked, this, &MainWindow::ask_open);
+  connect(welcome_, &welcome::Page::import_asked, this, &MainWindow::ask_import);
   connect(welcome_, &welcome::Page::example_asked, this, [this](const std::string& file) {
     if (may_discard()) (void)open_example(file);  // the error bar says what is wrong
   });
@@ -167,6 +170,7 @@ void MainWindow::make_docks() {
   form_ = new ParameterForm(this);
   layers_ = new LayerTree(this);
   results_ = new Results(this);
+  results_->name_by(program_.input_fields);
   vertices_ = new vertices::VertexPanel(this);
   dock(*this, text("Steps"), "dock.steps", steps_, Qt::LeftDockWidgetArea);
   dock(*this, text("Parameters"), "dock.form", form_, Qt::LeftDockWidgetArea);
@@ -221,7 +225,8 @@ void MainWindow::make_docks() {
     session_.edit(std::move(edited), text("Change '%1'").arg(key));
   });
   connect(canvas_, &Canvas::lines_changed, this, [this] {
-    vertices_->show(canvas_->workspace(), QString::fromStdString(session_.document().shown_units().length_unit()));
+    vertices_->show(canvas_->workspace(), QString::fromStdString(session_.document().shown_units().length_unit()),
+                    QString::fromStdString(program_.drawing.height));
   });
   connect(vertices_, &vertices::VertexPanel::selected, canvas_, &Canvas::select);
   connect(vertices_, &vertices::VertexPanel::edited, canvas_, qOverload<const canvas::Edited&>(&Canvas::carry_out));
@@ -272,11 +277,28 @@ void MainWindow::place_docks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (isMaximized() || isFullScreen()) return;
+  frame_known_ = !windowHandle()->frameMargins().isNull();
   // What panels need while they are being placed may have made the window larger than the screen.
+  keep_on_screen();
+}
+
+/// A window manager puts its frame round the window after it is shown, and moves it by the frame.
+void MainWindow::moveEvent(QMoveEvent* event) {
+  QMainWindow::moveEvent(event);
+  if (frame_known_ || !isVisible() || windowHandle()->frameMargins().isNull()) return;
+  frame_known_ = true;
+  keep_on_screen();
+}
+
+void MainWindow::keep_on_screen() {
+  if (isMaximized() || isFullScreen()) return;
   layout()->activate();
-  const QSize frame = frameSize() - size();
-  resize(size().boundedTo(screen()->availableSize() - frame));
+  const QRect room = screen()->availableGeometry();
+  const QMargins frame = windowHandle() != nullptr ? windowHandle()->frameMargins() : QMargins();
+  resize(size().boundedTo(room.marginsRemoved(frame).size()));
+  const QSize whole = size().grownBy(frame);
+  move(std::max(room.left(), std::min(x(), room.right() + 1 - whole.width())),
+       std::max(room.top(), std::min(y(), room.bottom() + 1 - whole.height())));
 }
 
 void MainWindow::childEvent(QChildEvent* event) {
@@ -470,7 +492,9 @@ void MainWindow::show_picture() {
 void MainWindow::show_nothing() {
   scene::Picture sheet;
   if (program_.drawing.add)
-    sheet.panels.push_back({.key = "section", .extent = geom::Box{{0.0, -600.0}, {1000.0, 0.0}}});
+    sheet.panels.push_back({.key = "section",
+                            .axes = {.y_title = program_.drawing.height + " [m]"},
+                            .extent = geom::Box{{0.0, -600.0}, {1000.0, 0.0}}});
   view_->set_picture(std::move(sheet), Looking::AtAll);
   canvas_->show_sheet();
 }

@@ -109,6 +109,7 @@ class MainWindow : public QMainWindow {
  protected:
   void childEvent(QChildEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void moveEvent(QMoveEvent* event) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -118,6 +119,8 @@ class MainWindow : public QMainWindow {
   void make_center();
   void make_docks();
   /// Where panels are at first.
+  /// Frame and all, as far as its panels let it; its title is on the screen in any case.
+  void keep_on_screen();
   void place_docks();
   void make_actions();
   void add_file_actions();
@@ -219,6 +222,7 @@ class MainWindow : public QMainWindow {
   welcome::Page* welcome_ = nullptr;
   mending::Page* mending_ = nullptr;
   bool keeps_layout_ = false;
+  bool frame_known_ = false;  ///< The frame that the window manager draws has been taken into account.
   StepList* steps_ = nullptr;
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;

@@ -186,12 +186,7 @@ void MainWindow::restore_layout() {
   const QSettings kept = settings();
   restoreGeometry(kept.value(geometry_key).toByteArray());
   restoreState(kept.value(state_key).toByteArray(), layout_version);
-  // The screen may have become smaller since.
-  const QRect room = screen()->availableGeometry();
-  if (room.contains(frameGeometry())) return;
-  resize(size().boundedTo(room.size()));
-  move(std::clamp(x(), room.left(), room.right() + 1 - width()),
-       std::clamp(y(), room.top(), room.bottom() + 1 - height()));
+  keep_on_screen();  // it may have become smaller since
 }
 
 void MainWindow::reset_layout() {
@@ -199,6 +194,7 @@ void MainWindow::reset_layout() {
   const QRect room = screen()->availableGeometry();
   resize(QSize(1280, 800).boundedTo(room.size()));
   move(room.topLeft());
+  keep_on_screen();
   for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->show();
   place_docks();
 }

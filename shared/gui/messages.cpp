@@ -51,7 +51,36 @@ QString missing_in(const Table& table, const std::vector<Field>& fields) {
   return {};
 }
 
+/// "step 2" stands alone where the operation is not known.
+QString item_in_words(const QString& item) {
+  static const QRegularExpression step("^step (\\d+)$");
+  const QRegularExpressionMatch match = step.match(item);
+  return match.hasMatch() ? text("step %1").arg(match.captured(1)) : catalogue::translated(item);
+}
+
+/// The field of that key, of the input or of one of its tables; null if there is none.
+const Field* field_of(const std::vector<Field>& fields, const std::string& key) {
+  for (const Field& field : fields) {
+    if (field.key == key) return &field;
+    if (const Field* inner = field_of(field.fields, key)) return inner;
+  }
+  return nullptr;
+}
+
 }  // namespace
+
+QString remark_in_words(const QString& remark, const std::vector<Field>& fields) {
+  QString said = catalogue::translated(remark);
+  static const QRegularExpression option("--([a-z]+(?:-[a-z]+)*)");
+  for (qsizetype from = 0;;) {
+    const QRegularExpressionMatch match = option.match(said, from);
+    if (!match.hasMatch()) return said;
+    const Field* field = field_of(fields, match.captured(1).replace('-', '_').toStdString());
+    const QString title = field != nullptr ? title_of(*field) : match.captured();
+    said.replace(match.capturedStart(), match.capturedLength(), title);
+    from = match.capturedStart() + title.size();
+  }
+}
 
 QString in_words_of_the_form(const QString& message, const std::vector<Field>& fields) {
   if (message.isEmpty()) return {};  // as a form says of each of its rows
@@ -73,7 +102,7 @@ QString in_words(const base::Error& error) {
     if (place.line > 0 && place.column > 0) words += QString(":%1").arg(place.column);
     words += ": ";
   }
-  if (!place.item.empty()) words += catalogue::translated(QString::fromStdString(place.item)) + ": ";
+  if (!place.item.empty()) words += item_in_words(QString::fromStdString(place.item)) + ": ";
   words += catalogue::translated(QString::fromStdString(error.message));
   if (place.x && place.y) words += " " + text("(at %1, %2)").arg(coordinate(*place.x), coordinate(*place.y));
   return words;

@@ -11,6 +11,9 @@ namespace dobra::gui {
 /// what it says of the command line; in the user's language.
 QString in_words_of_the_form(const QString& message, const std::vector<scenario::Field>& fields);
 
+/// A remark in the user's language, with the titles of `fields` where it speaks of options of the command line.
+QString remark_in_words(const QString& remark, const std::vector<scenario::Field>& fields);
+
 /// base::to_string in the user's language.
 QString in_words(const base::Error& error);
 

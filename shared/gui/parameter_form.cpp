@@ -56,7 +56,7 @@ constexpr int columns = 5;
 constexpr int hint_lines = 4;
 
 QString unit_of(const Field& field) {
-  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : QString::fromStdString(field.options.unit);
+  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : numbers::unit_text(field.options.unit);
 }
 
 /// A default as the editor shows it.

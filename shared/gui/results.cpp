@@ -14,6 +14,7 @@
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
 #include "shared/gui/catalogue/catalogue.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/numbers/numbers.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
@@ -163,7 +164,7 @@ void Results::show_remarks(const documents::Outcome& outcome) {
   }
   for (const std::string& remark : outcome.remarks)
     list += list_item(theme::remark_text(palette()), QString::fromUtf8("•"),
-                      catalogue::translated(QString::fromStdString(remark)));
+                      remark_in_words(QString::fromStdString(remark), fields_));
   if (list.isEmpty()) list = "<i>" + text("No remarks.") + "</i>";
   if (remarks_->text() != list) remarks_->setText(list);
   remarks_->show();

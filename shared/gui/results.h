@@ -18,6 +18,8 @@ class Results : public QWidget {
  public:
   explicit Results(QWidget* parent = nullptr);
 
+  /// Remarks call these fields by their titles.
+  void name_by(std::vector<scenario::Field> fields) { fields_ = std::move(fields); }
   void show_outcome(const documents::Outcome& outcome);
   void clear();
 
@@ -28,6 +30,7 @@ class Results : public QWidget {
 
   QTreeWidget* quantities_;
   QLabel* remarks_;
+  std::vector<scenario::Field> fields_;
   std::vector<std::string> names_;       ///< Of the quantities that are listed, and
   std::vector<QTreeWidgetItem*> lines_;  ///< their lines.
 };

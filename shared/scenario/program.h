@@ -144,8 +144,10 @@ struct Drawing {
     std::string table;  ///< Of the input: "horizon".
     std::string title;  ///< "Horizon"
     enum class Of { Lines, Polygons, Points } of = Of::Lines;
+    std::string names{};  ///< What of a state (names_of) has none of its names twice, read from files or not.
   };
   std::vector<Kind> kinds{};  ///< What a user may draw; empty: nothing.
+  std::string height = "z";   ///< What the second coordinate of the pictures is called.
   /// @param input  the state that the input makes.
   /// @error BadValue: a line that the document does not hold by itself, with what to do.
   std::function<base::Result<Document>(const Document& document, const State& input, std::span<const scene::LineEdit>)>
@@ -157,6 +159,10 @@ struct Drawing {
   /// What an edit of the input in a form is to take along, so that the rest looks as before; may be left out.
   /// @param input  the state of `before`.
   std::function<Document(const Document& before, Document after, const State& input)> settle{};
+  /// How long one of the document's coordinates is in the pictures: 0.3048 for feet. Left out: 1.
+  std::function<double(const Document&)> unit_length{};
+  /// What a line is called that shares its layer with others; empty: as its layer. May be left out.
+  std::function<std::string(const State& input, const scene::Pick&)> name_of{};
 };
 
 enum class TakesUnits { SiOnly, Any };

@@ -22,8 +22,8 @@ struct Choice {
 QString folded(const QString& words);
 
 /// The places in `choices` of those in whose title or `heard` each typed word occurs, accents and case aside: first
-/// those whose title begins with what is typed, then those in which a word does, then the rest; each in the order
-/// given.
+/// those whose title begins with what is typed, then those in which a word does, then those whose title has all typed
+/// words, then the rest; each in the order given.
 std::vector<std::size_t> found(const std::vector<Choice>& choices, const QString& typed);
 
 }  // namespace dobra::gui::actions

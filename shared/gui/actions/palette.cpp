@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTimer>
 #include <QTreeWidget>
@@ -19,7 +20,11 @@ constexpr int rows_shown = 12;
 }  // namespace
 
 Palette::Palette(QWidget& window)
-    : QFrame(&window), window_(window), typed_(new QLineEdit(this)), list_(new QTreeWidget(this)) {
+    : QFrame(&window),
+      window_(window),
+      typed_(new QLineEdit(this)),
+      list_(new QTreeWidget(this)),
+      nothing_(new QLabel(shown("Nothing that can be done is called so."), this)) {
   setObjectName("palette");
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
@@ -42,6 +47,10 @@ Palette::Palette(QWidget& window)
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
   column->addWidget(typed_);
+  nothing_->setObjectName("palette.nothing");
+  nothing_->setWordWrap(true);
+  nothing_->hide();
+  column->addWidget(nothing_);
   column->addWidget(list_, 1);
   connect(typed_, &QLineEdit::textChanged, this, &Palette::filter);
   connect(list_, &QTreeWidget::itemClicked, this, &Palette::choose);
@@ -87,6 +96,7 @@ void Palette::filter(const QString& typed) {
   }
   list_->addTopLevelItems(rows);
   if (!rows.isEmpty()) list_->setCurrentItem(rows.front());
+  nothing_->setVisible(rows.isEmpty());
 }
 
 void Palette::place() {

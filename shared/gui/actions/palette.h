@@ -7,6 +7,7 @@
 
 #include "shared/gui/actions/find.h"
 
+class QLabel;
 class QLineEdit;
 class QTreeWidget;
 
@@ -37,6 +38,7 @@ class Palette : public QFrame {
   QLineEdit* typed_;
   QTreeWidget* list_;
   std::vector<Choice> choices_;
+  QLabel* nothing_;                 ///< Said where nothing is found.
   std::vector<std::size_t> shown_;  ///< Of the choices, row by row.
   QPointer<QWidget> focus_before_;
 };

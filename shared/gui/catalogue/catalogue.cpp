@@ -75,13 +75,24 @@ base::Error bad_line(qsizetype number, const char* what) {
   return {base::ErrorCode::BadFormat, what, place};
 }
 
+/// A window says nothing of the command line: each template also without its options, "(--jigsaw)".
+std::vector<Entry> with_those_of_forms(std::vector<Entry> entries) {
+  static const QRegularExpression option(R"( ?\(--[^(){}]*\))");
+  const std::size_t given = entries.size();
+  for (std::size_t i = 0; i < given; ++i) {
+    Entry bare{QString(entries[i].source).remove(option), QString(entries[i].translation).remove(option)};
+    if (bare.source != entries[i].source) entries.push_back(std::move(bare));
+  }
+  return entries;
+}
+
 /// The file of the resources; empty where there is none.
 Catalogue from_resources(const QString& name) {
   QFile file(":/translations/" + name);
   if (!file.open(QIODevice::ReadOnly)) return {};
   const base::Result<std::vector<Entry>> entries = read_entries(QString::fromUtf8(file.readAll()));
   DOBRA_CHECK(entries.ok());  // a file of our own, judged by a test
-  return Catalogue(*entries);
+  return Catalogue(with_those_of_forms(*entries));
 }
 
 Catalogue& installed() {

@@ -31,7 +31,7 @@ StatusLine::StatusLine(QWidget* parent)
   place_->setMinimumWidth(place_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000 m") + 12);
   place_->setObjectName("status.place");
   dip_->setObjectName("status.dip");
-  dip_->setMaximumWidth(dip_->fontMetrics().horizontalAdvance(text("dip {:.1f}°") + " (horizon)"));
+  dip_->setMaximumWidth(dip_->fontMetrics().horizontalAdvance(text("dip {:.1f}°") + " (a bed of a long name)"));
   progress_->setMinimumWidth(60);
   progress_->setMaximumWidth(220);
   progress_->setRange(0, 1000);
@@ -40,6 +40,7 @@ StatusLine::StatusLine(QWidget* parent)
   cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   progress_->hide();
   cancel_->hide();
+  place_->hide();
   patience_.setSingleShot(true);
   patience_.setInterval(worth_progress);
   connect(&patience_, &QTimer::timeout, this, [this] {
@@ -58,7 +59,11 @@ StatusLine::StatusLine(QWidget* parent)
 void StatusLine::show_hint(const QString& hint) { hint_->say(hint); }
 void StatusLine::show_state(const QString& state) { state_->say(state); }
 void StatusLine::show_dip(const QString& dip) { dip_->say(dip); }
-void StatusLine::show_place(const QString& place) { place_->setText(place); }
+/// Where the place has no text it takes no room: a small window has none to spare.
+void StatusLine::show_place(const QString& place) {
+  place_->setText(place);
+  place_->setVisible(!place.isEmpty());
+}
 
 void StatusLine::begin_run() {
   progress_->setValue(0);

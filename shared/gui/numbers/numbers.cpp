@@ -106,6 +106,7 @@ QString readable(double value) {
 }
 
 QString unit_text(const std::string& unit) {
+  if (unit == "deg") return QString::fromUtf8("°");
   QString set = QString::fromStdString(unit);
   static const QRegularExpression power("(?<=[a-zA-Z])([23])(?![\\w.])");
   for (QRegularExpressionMatch match = power.match(set); match.hasMatch(); match = power.match(set))
@@ -121,7 +122,8 @@ QString field_text(Kind kind, const Value& value) {
     return list_text(*list);
   if (const auto* names = std::get_if<std::vector<std::string>>(&value); names != nullptr && kind == Kind::Texts)
     return names_text(*names);
-  return QString::fromStdString(scenario::value_text(value));
+  const QString text = QString::fromStdString(scenario::value_text(value));
+  return text == "[]" ? QString() : text;  // an empty list is no text of a field
 }
 
 QString as_parsed(Kind kind, const QString& typed) {

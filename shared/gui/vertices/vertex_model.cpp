@@ -35,9 +35,10 @@ void VertexModel::show(std::vector<TableLine> lines) {
   endResetModel();
 }
 
-void VertexModel::set_unit(const QString& unit) {
-  if (unit == unit_) return;
+void VertexModel::set_axes(const QString& unit, const QString& height) {
+  if (unit == unit_ && height == height_) return;
   unit_ = unit;
+  height_ = height;
   emit headerDataChanged(Qt::Horizontal, X, Z);
 }
 
@@ -89,7 +90,7 @@ QVariant VertexModel::headerData(int section, Qt::Orientation orientation, int r
     case X:
       return "x" + unit;
     case Z:
-      return "z" + unit;
+      return height_ + unit;
     default:
       return text("Line");
   }

@@ -37,7 +37,7 @@ class VertexModel : public QAbstractTableModel {
   /// as long. @cost O(lines)
   void show(std::vector<TableLine> lines);
   /// "m": of both columns.
-  void set_unit(const QString& unit);
+  void set_axes(const QString& unit, const QString& height);
 
   [[nodiscard]] const std::vector<TableLine>& lines() const { return lines_; }
   /// @pre row < rowCount(). @cost O(log lines)
@@ -63,6 +63,7 @@ class VertexModel : public QAbstractTableModel {
   std::vector<int> first_;  ///< Row of the first vertex of each line.
   int rows_ = 0;
   QString unit_;
+  QString height_ = "z";  ///< What the second coordinate is called.
 };
 
 }  // namespace dobra::gui::vertices

@@ -99,9 +99,9 @@ QToolButton* VertexPanel::button(const QString& words, const char* name, const Q
   return made;
 }
 
-void VertexPanel::show(const canvas::Workspace& work, const QString& unit) {
+void VertexPanel::show(const canvas::Workspace& work, const QString& unit, const QString& height) {
   work_ = &work;
-  model_.set_unit(unit);
+  model_.set_axes(unit, height);
   stale_ = true;
   if (isVisible()) fill();
 }
@@ -133,8 +133,9 @@ void VertexPanel::fill_lines() {
   for (const auto& [pick, line] : all) {
     if (picks_.size() == most_in_list) break;
     picks_.push_back(pick);
-    const QString title = text_of(work_->title(pick));
-    titles << (lines_of_layer[pick.layer] == 1 ? title : QString("%1, %2").arg(title).arg(pick.id + 1));
+    const QString name = text_of(work_->name(pick));
+    const bool own = lines_of_layer[pick.layer] == 1 || name != text_of(work_->title(pick));
+    titles << (own ? name : QString("%1, %2").arg(name).arg(pick.id + 1));
   }
   const std::size_t chosen = own_ ? 1 : work_->selection.size();
   lines_->addItem(chosen > 1 ? text("%1 lines").arg(chosen) : text("No line is selected"));
@@ -149,7 +150,7 @@ void VertexPanel::show_lines() {
   std::vector<TableLine> shown;
   const auto add = [&](const scene::Pick& pick) {
     const geom::Polyline* line = work_->empty() ? nullptr : work_->line(pick);
-    if (line != nullptr) shown.push_back({pick, text_of(work_->title(pick)), *line, work_->is_editable(pick)});
+    if (line != nullptr) shown.push_back({pick, text_of(work_->name(pick)), *line, work_->is_editable(pick)});
   };
   if (own_) add(*own_);
   if (own_ && shown.empty()) own_.reset();

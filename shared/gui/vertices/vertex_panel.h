@@ -23,7 +23,7 @@ class VertexPanel : public QWidget {
   /// The lines that can be chosen, and the vertices of those that are selected. What this panel is told while it is not
   /// seen it reads when it is.
   /// @pre `work` outlives the panel
-  void show(const canvas::Workspace& work, const QString& unit);
+  void show(const canvas::Workspace& work, const QString& unit, const QString& height);
 
   [[nodiscard]] VertexModel& model() { return model_; }
   [[nodiscard]] QTableView& table() { return *table_; }

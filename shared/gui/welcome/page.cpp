@@ -39,7 +39,8 @@ QCommandLinkButton* button(const QString& title, const QString& line, const QStr
 
 }  // namespace
 
-Page::Page(const QString& title, const QString& about, const std::vector<Example>& examples, QWidget* parent)
+Page::Page(const QString& title, const QString& about, const std::vector<Example>& examples, bool imports,
+           QWidget* parent)
     : QScrollArea(parent) {
   setObjectName("welcome");
   setAccessibleName(text("Welcome"));
@@ -66,6 +67,12 @@ Page::Page(const QString& title, const QString& about, const std::vector<Example
   connect(open, &QAbstractButton::clicked, this, &Page::open_asked);
   files->addWidget(fresh);
   files->addWidget(open);
+  if (imports) {
+    auto* import =
+        button(text("Import..."), text("Lines of a text, GeoJSON, DXF or other file"), "welcome.import", content);
+    connect(import, &QAbstractButton::clicked, this, &Page::import_asked);
+    files->addWidget(import);
+  }
   files->addSpacing(12);
   files->addWidget(heading(text("Recent files"), 0.0, QFont::Bold, content));
   recent_ = new QVBoxLayout;
@@ -93,7 +100,8 @@ void Page::show_recent(const QStringList& files) {
     item->widget()->deleteLater();
     delete item;
   }
-  QWidget* before = widget()->findChild<QWidget*>("welcome.open");
+  QWidget* before = widget()->findChild<QWidget*>("welcome.import");
+  if (before == nullptr) before = widget()->findChild<QWidget*>("welcome.open");
   for (const QString& file : files) {
     const QFileInfo info(file);
     const QString folder = info.path();

@@ -17,7 +17,8 @@ class Page : public QScrollArea {
 
  public:
   /// @param title, about  of the program, as a user reads them.
-  Page(const QString& title, const QString& about, const std::vector<Example>& examples, QWidget* parent);
+  /// @param imports  whether files of other programs can be brought in.
+  Page(const QString& title, const QString& about, const std::vector<Example>& examples, bool imports, QWidget* parent);
 
   /// The latest first; those that are not there any more are said to be missing.
   void show_recent(const QStringList& files);
@@ -27,6 +28,7 @@ class Page : public QScrollArea {
  signals:
   void new_asked();
   void open_asked();
+  void import_asked();
   void example_asked(const std::string& file);
   void recent_asked(const QString& file);
   /// The Escape key.

@@ -26,7 +26,7 @@ enum class Closing { KeepOpen, WhenFirstPointRepeats };
 
 /// How a header calls the columns of names and of kinds, capitals or not.
 inline constexpr std::array<std::string_view, 2> text_name_words{"name", "nome"};
-inline constexpr std::array<std::string_view, 1> text_kind_words{"kind"};
+inline constexpr std::array<std::string_view, 2> text_kind_words{"kind", "tipo"};
 /// Capitals do not count.
 bool is_word(std::string_view text, std::span<const std::string_view> words);
 

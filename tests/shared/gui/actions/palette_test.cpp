@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -51,6 +52,41 @@ TEST_F(PaletteTest, OpensTypesAndDoesByKeysAlone) {
   EXPECT_FALSE(window.palette().isVisible());
   EXPECT_TRUE(QTest::qWaitFor([&] { return steps() == 2; }, 5000));
   EXPECT_EQ(window.session().document().steps.back().operation, "stack");
+}
+
+TEST_F(PaletteTest, ATitleGoesBeforeWhatIsSaidOfOthers) {
+  open_waves();
+  open_palette();
+  type_there("cosine");
+  ASSERT_GE(window.palette().listed().size(), 1);
+  const auto has_the_word = [](const QString& title) { return title.contains("cosine", Qt::CaseInsensitive); };
+  bool before = true;
+  for (const QString& title : window.palette().listed()) {
+    EXPECT_TRUE(before || !has_the_word(title)) << title.toStdString();
+    before = has_the_word(title);
+  }
+  // Words of a title within quotes begin a title's word as any other.
+  using actions::Choice;
+  const std::vector<Choice> choices{{"Add 'Parallel curves'", {}, {}, "curves that grade the mesh"},
+                                    {"Remesh", {}, {}, {}},
+                                    {"Add 'Mesh'", {}, {}, {}}};
+  EXPECT_EQ(actions::found(choices, "mesh"), (std::vector<std::size_t>{2, 1, 0}));
+  EXPECT_EQ(actions::found(choices, "add mesh"), (std::vector<std::size_t>{2, 0}));
+}
+
+TEST_F(PaletteTest, SaysThatNothingIsFound) {
+  open_waves();
+  open_palette();
+  const auto* nothing = window.palette().findChild<QLabel*>("palette.nothing");
+  EXPECT_FALSE(nothing->isVisible());
+  type_there("zzqx");
+  EXPECT_TRUE(window.palette().listed().isEmpty());
+  EXPECT_TRUE(nothing->isVisible());
+  press(Qt::Key_Backspace);
+  press(Qt::Key_Backspace);
+  press(Qt::Key_Backspace);
+  press(Qt::Key_Backspace);
+  EXPECT_FALSE(nothing->isVisible());
 }
 
 TEST_F(PaletteTest, EscapeClosesGivesTheFocusBackAndStopsNoRun) {

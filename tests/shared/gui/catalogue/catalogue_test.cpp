@@ -89,6 +89,19 @@ TEST(Catalogue, FilesOfQuantitiesHaveTheSameKeys) {
   EXPECT_EQ(keys[0], keys[1]);
 }
 
+/// A message for a form has lost what it says of the command line before it is translated, also within another.
+TEST(Catalogue, ThePiecesOfMessagesAreKnownWithoutTheirOptions) {
+  install("pt_BR");
+  const QString said = translated(
+      "the top 'A (1)' does not cover the section: this reaches 1747.3 m beyond its end, 121 % of its width; lengthen "
+      "the top, take another one, or set 'Beyond the top' = \"continue\" to go on straight there; it is one piece of "
+      "horizon 'A': join its pieces before (step join, join_gaps) where no fault displaces it any more; a section that "
+      "faults still part is restored block by block");
+  EXPECT_TRUE(said.contains("é um pedaço do horizonte 'A'")) << said.toStdString();
+  EXPECT_TRUE(said.endsWith("é restaurada bloco a bloco")) << said.toStdString();
+  install("en");
+}
+
 TEST(Catalogue, TheFileIsReadWhole) {
   const auto file = std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/translations/messages_pt_BR.txt";
   const auto entries = read_entries(QString::fromStdString(io::read_text(file).value()));

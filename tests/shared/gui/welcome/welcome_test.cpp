@@ -4,6 +4,8 @@
 
 #include <QAbstractButton>
 #include <QDockWidget>
+#include <QGuiApplication>
+#include <QLabel>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
@@ -13,6 +15,7 @@
 
 #include "shared/gui/app.h"
 #include "shared/gui/draw_bar.h"
+#include "shared/gui/labels/status_line.h"
 #include "shared/gui/step_list.h"
 #include "shared/gui/welcome/page.h"
 #include "shared/io/file.h"
@@ -214,6 +217,37 @@ class LayoutTest : public testing::Test {
   static QDockWidget& panel(MainWindow& window, const char* name) { return *window.findChild<QDockWidget*>(name); }
   const scenario::Program program = test::fake_program();
 };
+
+TEST_F(LayoutTest, AWindowThatIsLargerThanTheScreenHasItsTitleOnIt) {
+  const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
+  {
+    MainWindow window(program);
+    window.setMinimumSize(room.width() + 200, room.height() + 300);
+    open(window);
+    EXPECT_GE(window.frameGeometry().top(), room.top());
+    EXPECT_GE(window.frameGeometry().left(), room.left());
+    ASSERT_TRUE(window.close());
+  }
+  MainWindow window(program);  // what was kept of that one
+  open(window);
+  EXPECT_TRUE(room.contains(window.frameGeometry()));
+}
+
+TEST_F(LayoutTest, APlaceThatIsNotThereTakesNoRoomInTheStatusBar) {
+  MainWindow window(program);
+  open(window);
+  auto* place = window.findChild<QLabel*>("status.place");
+  auto* hint = window.findChild<QLabel*>("status.hint");
+  EXPECT_FALSE(place->isVisible());
+  const int before = hint->width();
+  window.findChild<labels::StatusLine*>()->show_place("x = 1   z = 2 m");
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(place->isVisible());
+  EXPECT_LT(hint->width(), before);
+  window.findChild<labels::StatusLine*>()->show_place({});
+  QCoreApplication::processEvents();
+  EXPECT_EQ(hint->width(), before);
+}
 
 TEST_F(LayoutTest, IsFoundAgainAfterARestartAndResetGivesTheFirstOne) {
   QRect first_layers;

@@ -62,6 +62,20 @@ TEST(UntidyText, UnitsInHeadersAreTakenAndTold) {
   }
 }
 
+TEST(UntidyText, TheKindIsReadUnderEitherOfItsHeaders) {
+  for (const std::string header : {"kind", "tipo", "Tipo"}) {
+    const auto read = parse_any_lines(
+        "horizonte;x;z;" + header + "\nA;0;1;horizonte\nA;2;1;horizonte\nF;1;0;falha\nF;1;3;falha\n", "f.csv", {});
+    ASSERT_TRUE(read.ok()) << header << ": " << base::to_string(read.error());
+    ASSERT_EQ(read->features.size(), 2u) << header;
+    EXPECT_EQ(read->features[0].kind, "horizonte") << header;
+    EXPECT_EQ(read->features[1].kind, "falha") << header;
+  }
+  const auto other = parse_any_lines("horizonte;x;z;tipos\nA;0;1;falha\nA;2;1;falha\n", "f.csv", {});
+  ASSERT_TRUE(other.ok());
+  EXPECT_EQ(other->features[0].kind, "");
+}
+
 TEST(UntidyText, MetresAndUnknownSuffixesAreNoNews) {
   for (const char* const header : {"x_m,elev_m", "x (m),z (m)", "x_old,z_new", "x (a),z (b)", "x_1,z_1", "x_m2,z_m2"}) {
     const Untidy read = untidy(std::string(header) + "\n10,2\n20,2\n");
