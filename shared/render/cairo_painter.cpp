@@ -306,6 +306,13 @@ class MarkPainter {
     for (const Point& corner : mark.corners) cairo_line_to(context_, corner.x, corner.y);
     cairo_close_path(context_);
     set_color(context_, mark.fill);
+    if (mark.seam > 0.0) {
+      cairo_set_line_width(context_, mark.seam);
+      cairo_set_dash(context_, nullptr, 0, 0.0);
+      cairo_fill_preserve(context_);
+      cairo_stroke(context_);
+      return;
+    }
     cairo_fill(context_);
   }
 
