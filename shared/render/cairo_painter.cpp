@@ -365,8 +365,9 @@ void select_font(cairo_t* context, const scene::Font& font) {
   cairo_set_font_size(context, font.size);
 }
 
-void paint(cairo_t* context, const scene::Picture& picture, const scene::Layout& layout, TextAs text) {
-  cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
+void paint(cairo_t* context, const scene::Picture& picture, const scene::Layout& layout, TextAs text,
+           const Color& paper) {
+  cairo_set_source_rgb(context, paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
   cairo_rectangle(context, 0.0, 0.0, layout.page.width, layout.page.height);
   cairo_fill(context);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
