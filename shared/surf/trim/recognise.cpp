@@ -74,6 +74,7 @@ class Recogniser {
     s.arcs = std::move(strands.arcs);
     DOBRA_TRY_VOID(cut(s.surface, s.arcs, {.same = s.options.same}, s.options.cuts));
     DOBRA_TRY(s.faces, faces_of(s.surface, s.arcs, s.options.chord));
+    DOBRA_TRY_VOID(every_ring_encloses(lines));
     describe_arcs(lines.size());
     const auto pairs = seam_pairs(s.surface, s.arcs);
     find_parts(pairs);
@@ -82,6 +83,27 @@ class Recogniser {
   }
 
  private:
+  /// Of a closed line some part has two faces beside it.
+  base::Result<void> every_ring_encloses(std::span<const TrimLine> lines) const {
+    const Recognised::State& s = *made_;
+    const Subdivision& sub = s.faces.subdivision;
+    std::vector<std::uint8_t> encloses(lines.size(), 0);
+    for (const EdgeId e : sub.edges()) {
+      const HalfEdgeId h = Subdivision::half_edge(e);
+      if (sub.face(h) == sub.face(Subdivision::twin(h))) continue;
+      for (const Along& each : s.arcs.arcs[s.faces.chords[h.index()].arc].along) {
+        const std::size_t line = s.arcs.strands[each.strand].line;
+        if (line < lines.size()) encloses[line] = 1;
+      }
+    }
+    for (const Strand& strand : s.arcs.strands) {
+      if (strand.line >= lines.size() || !lines[strand.line].closed || encloses[strand.line] != 0) continue;
+      return Error{ErrorCode::DegenerateCurve,
+                   "a closed line encloses nothing: it runs back along itself; draw it anew",
+                   place_of(s.surface, s.arcs.uv(s.arcs.vertices[strand.start]))};
+    }
+    return {};
+  }
   void describe_arcs(std::size_t lines) {
     Recognised::State& s = *made_;
     for (const Arc& arc : s.arcs.arcs) {

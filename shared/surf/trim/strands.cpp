@@ -164,7 +164,6 @@ class Maker {
     }
     if (strands.empty())
       return Error{ErrorCode::DegenerateCurve, fmt::format("line {} of the chart has no edge", number + 1)};
-    if (line.closed) DOBRA_TRY_VOID(encloses(strands));
     Arcs& arcs = made_.arcs;
     for (Strand& each : strands) {
       each.start = arcs.vertex(part_at(each, false), options_.same);
@@ -215,24 +214,6 @@ class Maker {
     strand.edge = with_ends(strand.edge, arcs.chart, arcs.uv(arcs.vertices[strand.start]),
                             arcs.uv(arcs.vertices[strand.end]), 1e-13);
     return strand;
-  }
-
-  /// A closed line that stays in the chart has an area.
-  [[nodiscard]] base::Result<void> encloses(const std::vector<Strand>& strands) const {
-    std::vector<Point> ring;
-    for (std::size_t i = 0; i < strands.size(); ++i) {
-      for (const double part : looks(strands[i].edge)) ring.push_back(made_.arcs.part(at(strands[i].edge, part)));
-    }
-    double area = 0.0, round = 0.0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point p = ring[i], q = ring[(i + 1) % ring.size()];
-      if (geom::distance(p, q) > 0.4) return {};  // over a seam, or along a pole
-      area += 0.5 * cross(p - ring[0], q - ring[0]);
-      round += geom::distance(p, q);
-    }
-    if (std::abs(area) > 1e-9 * round * round) return {};
-    return Error{ErrorCode::DegenerateCurve, "a closed line encloses nothing: it runs back along itself; draw it anew",
-                 place_of(surface_, made_.arcs.uv(snapped(ring[0])))};
   }
 
   void add_sides(std::size_t number) {
