@@ -35,7 +35,11 @@ struct ArcShape : Curve::Shape {
     const Vector3 out = c * along + s * across;
     return {centre + out, c * across - s * along, -out};
   }
-  [[nodiscard]] double bend(double, double) const override { return geom::length(along) * (1.0 + 1e-9); }
+  /// The longer half axis.
+  [[nodiscard]] double bend(double, double) const override {
+    const double e = dot(along, along), f = dot(along, across), g = dot(across, across);
+    return std::sqrt(0.5 * (e + g) + std::hypot(0.5 * (e - g), f)) * (1.0 + 1e-9);
+  }
 };
 
 struct SplineShape : Curve::Shape {
@@ -118,6 +122,20 @@ base::Result<Curve> Curve::arc(Point3 centre, Vector3 along, Vector3 across, dou
                  fmt::format("the arc goes from {} to {} radians; it must go on, and a full "
                              "turn at most",
                              from, to)};
+  return Curve(std::make_shared<const ArcShape>(centre, along, across), {from, to});
+}
+
+base::Result<Curve> Curve::ellipse(Point3 centre, Vector3 along, Vector3 across, double from, double to) {
+  if (!geom::is_finite(centre) || !geom::is_finite(along) || !geom::is_finite(across) || !std::isfinite(from) ||
+      !std::isfinite(to))
+    return Error{ErrorCode::NotFinite, "the ellipse has a number that is not finite"};
+  if (!(geom::length(cross(along, across)) > 1e-12 * geom::length(along) * geom::length(across)))
+    return Error{ErrorCode::DegenerateCurve,
+                 "the axes of the ellipse lie along one line; give two of other directions"};
+  if (!(to > from) || to - from > 2.0 * std::numbers::pi * (1.0 + 1e-12))
+    return Error{
+        ErrorCode::DegenerateCurve,
+        fmt::format("the ellipse goes from {} to {} radians; it must go on, and a full turn at most", from, to)};
   return Curve(std::make_shared<const ArcShape>(centre, along, across), {from, to});
 }
 

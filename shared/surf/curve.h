@@ -34,6 +34,17 @@ class Curve {
   enum class Conic { Ellipse, Hyperbola, Parabola };
   static base::Result<Curve> conic(Conic kind, geom::Point3 centre, geom::Vector3 along, geom::Vector3 across,
                                    double from, double to);
+  /// A part of an ellipse, as an arc, but the axes (any two conjugate half diameters) have any lengths and angle.
+  /// @error as arc; DegenerateCurve: axes along one line
+  static base::Result<Curve> ellipse(geom::Point3 centre, geom::Vector3 along, geom::Vector3 across, double from,
+                                     double to);
+  /// Straight from point to point, by length from 0. @error NotFinite; DegenerateCurve: fewer than two points, or two
+  /// that follow each other in one place, with their number from 1.
+  static base::Result<Curve> polyline(const std::vector<geom::Point3>& points);
+  /// The cubic spline through points, by length of the chords from 0, with continuous curvature: closed and smooth all
+  /// round where the last point is the first, else with a third derivative that is continuous at the second and last
+  /// but one. Two points are a line, three a parabola. Source: [piegl1997], 9.2. @error as polyline
+  static base::Result<Curve> through(const std::vector<geom::Point3>& points);
   /// A rational B-spline; all weights 1 where none are given.
   /// @error those of SplineBasis::make; InvalidOption: not a point (or weight) for each function, a weight that is not
   ///        positive; NotFinite. Each names the number from 1. DegenerateCurve: it is torn at a knot that stands
@@ -77,6 +88,10 @@ class Curve {
     [[nodiscard]] virtual Jet jet(double t) const = 0;
     [[nodiscard]] virtual double bend(double from, double to) const = 0;
   };
+  /// A kind that is not above. @pre breaks ascend, two at least
+  static Curve of(std::shared_ptr<const Shape> shape, std::vector<double> breaks) {
+    return Curve(std::move(shape), std::move(breaks));
+  }
 
  private:
   Curve(std::shared_ptr<const Shape> shape, std::vector<double> breaks)

@@ -95,4 +95,9 @@ Surface::Surface(std::shared_ptr<const Shape> shape, const Box& chart, Breaks br
   kinks_ = {kinks_of(*this, true), kinks_of(*this, false)};
 }
 
+bool Surface::in_pole(Point uv) const {
+  return (uv.x == chart_.low.x && collapsed(Side::Left)) || (uv.x == chart_.high.x && collapsed(Side::Right)) ||
+         (uv.y == chart_.low.y && collapsed(Side::Bottom)) || (uv.y == chart_.high.y && collapsed(Side::Top));
+}
+
 }  // namespace dobra::surf

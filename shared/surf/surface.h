@@ -109,6 +109,8 @@ class Surface {
   [[nodiscard]] double size() const { return size_; }
   /// The side is one point in space.
   [[nodiscard]] bool collapsed(Side side) const { return collapsed_[static_cast<std::size_t>(side)]; }
+  /// On a side that is one point.
+  [[nodiscard]] bool in_pole(geom::Point uv) const;
   /// Left and right (bottom and top) are the same points.
   [[nodiscard]] bool closed_u() const { return closed_u_; }
   [[nodiscard]] bool closed_v() const { return closed_v_; }
@@ -132,6 +134,10 @@ class Surface {
     virtual void jets(std::span<const geom::Point> uv, std::span<Jet> jets) const = 0;
     [[nodiscard]] virtual Bend bend(const geom::Box& part) const = 0;
   };
+  /// A kind that is not above. @param inside  breaks between the ends of the chart
+  static base::Result<Surface> of(std::shared_ptr<const Shape> shape, const geom::Box& chart, Breaks inside = {}) {
+    return make(std::move(shape), chart, std::move(inside));
+  }
 
  private:
   static base::Result<Surface> make(std::shared_ptr<const Shape> shape, const geom::Box& chart, Breaks inside = {});

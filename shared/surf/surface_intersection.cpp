@@ -476,6 +476,7 @@ class Search {
     }
     const double same = 1e-9 * size_;
     drop_doubles(chains, same);
+    std::erase_if(chains, [this](const Chain& chain) { return is_speck(chain.points); });
     for (bool again = true; again;) {
       again = false;
       for (std::size_t i = 0; i < chains.size() && !again; ++i) {
@@ -513,6 +514,14 @@ class Search {
     }
     found_.contacts = std::move(contacts);
     for (Chain& chain : chains) found_.curves.push_back({std::move(chain.points), chain.closed});
+  }
+
+  /// Of a curve through a pole hardly more than rounding is left beside it, which may be found as a curve of its own.
+  [[nodiscard]] bool is_speck(const std::vector<SharedPoint>& points) const {
+    const auto near = [&](const SharedPoint& p) { return geom::distance(p.at, points.front().at) <= 1e-7 * size_; };
+    return std::all_of(points.begin(), points.end(), near) &&
+           std::any_of(points.begin(), points.end(),
+                       [&](const SharedPoint& p) { return first_.in_pole(p.first) || second_.in_pole(p.second); });
   }
 
   /// A curve that runs along a seam or a corner is found from both sides.

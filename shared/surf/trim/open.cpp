@@ -1,0 +1,326 @@
+#include "shared/surf/trim/open.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "shared/geom/segment.h"
+#include "shared/surf/trim/chart_curves.h"
+
+namespace dobra::surf::trim {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Box;
+using geom::Point;
+
+namespace {
+
+/// Points along an edge, its last one left out.
+void add_points(const ChartEdge& edge, std::vector<Point>& points) {
+  std::vector<double> at{edge.from};
+  for (const double t : edge.curve.breaks()) {
+    if (t > std::min(edge.from, edge.to) && t < std::max(edge.from, edge.to)) at.push_back(t);
+  }
+  at.push_back(edge.to);
+  if (edge.from < edge.to) {
+    std::sort(at.begin(), at.end());
+  } else {
+    std::sort(at.begin(), at.end(), std::greater<>());
+  }
+  constexpr int count = 24;
+  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+    for (int i = 0; i < count; ++i) points.push_back(edge.at(std::lerp(at[k], at[k + 1], 1.0 * i / count)));
+  }
+}
+
+std::vector<std::vector<Point>> rings_of(const TrimmedSurface& face) {
+  std::vector<std::vector<Point>> rings;
+  for (const ChartLoop& loop : face.loops) {
+    rings.emplace_back();
+    for (const ChartEdge& edge : loop.edges) add_points(edge, rings.back());
+  }
+  return rings;
+}
+
+double area_of(const std::vector<Point>& ring) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    twice += cross(ring[i] - ring.front(), ring[(i + 1) % ring.size()] - ring.front());
+  return 0.5 * twice;
+}
+
+/// Where a line of constant v meets rings, by u.
+std::vector<double> meets(const std::vector<std::vector<Point>>& rings, double v) {
+  std::vector<double> at;
+  for (const std::vector<Point>& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point p = ring[i], q = ring[(i + 1) % ring.size()];
+      if ((p.y <= v) != (q.y <= v)) at.push_back(p.x + (v - p.y) / (q.y - p.y) * (q.x - p.x));
+    }
+  }
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+/// A point well inside: the middle of the longest way through it of many.
+Point inner_point(const TrimmedSurface& face) {
+  const std::vector<std::vector<Point>> rings = rings_of(face);
+  Box box;
+  for (const std::vector<Point>& ring : rings) box.add(geom::box_of(ring));
+  Point best = box.centre();
+  double longest = -1.0;
+  constexpr int lines = 31;
+  for (int i = 0; i < lines; ++i) {
+    const double v = std::lerp(box.low.y, box.high.y, (i + 0.4871) / lines);
+    const std::vector<double> at = meets(rings, v);
+    for (std::size_t k = 0; k + 1 < at.size(); k += 2) {
+      const double way = at[k + 1] - at[k];
+      if (way > longest) longest = way, best = {std::midpoint(at[k], at[k + 1]), v};
+    }
+  }
+  return best;
+}
+
+bool on_side(const Box& chart, Side side, Point uv) {
+  switch (side) {
+    case Side::Left:
+      return uv.x == chart.low.x;
+    case Side::Right:
+      return uv.x == chart.high.x;
+    case Side::Bottom:
+      return uv.y == chart.low.y;
+    case Side::Top:
+      return uv.y == chart.high.y;
+  }
+  return false;
+}
+bool lies_on_side(const Box& chart, Side side, const ChartEdge& edge) {
+  return on_side(chart, side, edge.start()) && on_side(chart, side, edge.end()) &&
+         on_side(chart, side, edge.at(std::lerp(edge.from, edge.to, 0.437)));
+}
+constexpr std::array<Side, 4> all_sides{Side::Left, Side::Right, Side::Bottom, Side::Top};
+constexpr Side opposite(Side side) {
+  switch (side) {
+    case Side::Left:
+      return Side::Right;
+    case Side::Right:
+      return Side::Left;
+    case Side::Bottom:
+      return Side::Top;
+    default:
+      return Side::Bottom;
+  }
+}
+constexpr bool runs_along_u(Side side) { return side == Side::Bottom || side == Side::Top; }
+
+/// Loops as rings of edges in which edges can be taken out.
+class Rings {
+ public:
+  explicit Rings(const std::vector<ChartLoop>& loops) {
+    for (const ChartLoop& loop : loops) {
+      const std::size_t first = edges_.size(), count = loop.edges.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        edges_.push_back(loop.edges[i]);
+        next_.push_back(first + (i + 1) % count);
+        before_.push_back(first + (i + count - 1) % count);
+        here_.push_back(true);
+      }
+    }
+  }
+  [[nodiscard]] std::size_t size() const { return edges_.size(); }
+  [[nodiscard]] bool has(std::size_t i) const { return here_[i]; }
+  [[nodiscard]] ChartEdge& edge(std::size_t i) { return edges_[i]; }
+  void take_out(std::size_t i) {
+    here_[i] = false;
+    if (next_[i] != i) link(before_[i], next_[i]);
+  }
+  /// Both sides of a seam: what came before one goes on after the other.
+  void sew(std::size_t i, std::size_t k) {
+    here_[i] = here_[k] = false;
+    const std::size_t before_i = before_[i], before_k = before_[k], after_i = next_[i], after_k = next_[k];
+    if (before_i != k) link(before_i, after_k);
+    if (before_k != i) link(before_k, after_i);
+  }
+  [[nodiscard]] std::vector<ChartLoop> loops() const {
+    std::vector<ChartLoop> made;
+    std::vector<bool> seen(edges_.size(), false);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (!here_[i] || seen[i]) continue;
+      made.emplace_back();
+      for (std::size_t k = i; !seen[k]; k = next_[k]) {
+        seen[k] = true;
+        made.back().edges.push_back(edges_[k]);
+      }
+    }
+    return made;
+  }
+
+ private:
+  void link(std::size_t a, std::size_t b) { next_[a] = b, before_[b] = a; }
+  std::vector<ChartEdge> edges_;
+  std::vector<std::size_t> next_, before_;
+  std::vector<bool> here_;
+};
+
+/// Edges on both sides of a seam, in pairs.
+std::vector<std::pair<std::size_t, std::size_t>> seams_in(const Surface& surface, Rings& rings) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      if (!rings.has(i) || !rings.has(k)) continue;
+      const ChartEdge &a = rings.edge(i), &b = rings.edge(k);
+      if (!a.shared || a.shared != b.shared) continue;
+      const bool by_u = surface.closed_u() && lies_on_side(surface.chart(), Side::Left, a) &&
+                        lies_on_side(surface.chart(), Side::Right, b);
+      const bool by_v = surface.closed_v() && lies_on_side(surface.chart(), Side::Bottom, a) &&
+                        lies_on_side(surface.chart(), Side::Top, b);
+      if (by_u || by_v) pairs.emplace_back(i, k);
+    }
+  }
+  return pairs;
+}
+
+/// A part of a face that touches one pole, in the chart round it.
+base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
+  const Surface surface = face.surface;
+  const Box& chart = surface.chart();
+  Rings rings(face.loops);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (lies_on_side(chart, pole, rings.edge(i))) rings.take_out(i);
+  }
+  for (const auto& [i, k] : seams_in(surface, rings)) rings.sew(i, k);
+  face.loops = rings.loops();
+  const bool along_u = runs_along_u(pole);
+  double reach = 0.0;
+  for (const std::vector<Point>& ring : rings_of(face)) {
+    for (const Point p : ring) {
+      const double from_low = along_u ? (p.y - chart.low.y) / chart.height() : (p.x - chart.low.x) / chart.width();
+      reach = std::max(reach, pole == Side::Bottom || pole == Side::Left ? from_low : 1.0 - from_low);
+    }
+  }
+  DOBRA_TRY(const PolarChart polar, polar_chart(surface, pole, reach));
+  const auto map_all = [&](std::vector<ChartEdge>& edges) {
+    for (ChartEdge& edge : edges) edge.curve = polar.mapped(edge.curve);
+  };
+  for (ChartLoop& loop : face.loops) map_all(loop.edges);
+  for (ChartLine& line : face.lines) map_all(line.edges);
+  for (ChartPoint& point : face.points) point.at = polar.forward(point.at);
+  for (ChartRegion& region : face.regions) region.at = polar.forward(region.at);
+  face.surface = polar.surface;
+  std::stable_sort(face.loops.begin(), face.loops.end(), [&](const ChartLoop& a, const ChartLoop& b) {
+    const auto area = [](const ChartLoop& loop) {
+      std::vector<Point> ring;
+      for (const ChartEdge& edge : loop.edges) add_points(edge, ring);
+      return area_of(ring);
+    };
+    const double p = area(a), q = area(b);
+    return (p > 0.0) != (q > 0.0) ? p > 0.0 : std::abs(p) > std::abs(q);
+  });
+  return Opened{std::move(face), polar.back, true};
+}
+
+/// Recognised anew, with its seams numbered and, where asked, a line across at the middle between two poles.
+base::Result<Recognised> recognised_again(const TrimmedSurface& face, std::optional<Side> cut_between,
+                                          SharedNumbers& numbers, const RecogniseOptions& options) {
+  std::vector<TrimLine> lines;
+  if (cut_between) {
+    const Box& chart = face.surface.chart();
+    const Point m = chart.centre();
+    const bool along_u = runs_along_u(*cut_between);
+    lines.push_back({{{along_u ? straight({chart.low.x, m.y}, {chart.high.x, m.y}, artificial_border)
+                               : straight({m.x, chart.low.y}, {m.x, chart.high.y}, artificial_border)}}});
+  }
+  for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
+  for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
+  return recognise(face.surface, lines, numbers, options);
+}
+
+}  // namespace
+
+bool contains(const TrimmedSurface& face, Point uv) {
+  const std::vector<double> at = meets(rings_of(face), uv.y);
+  return std::count_if(at.begin(), at.end(), [&](double u) { return u < uv.x; }) % 2 == 1;
+}
+
+std::vector<Side> poles_touched(const TrimmedSurface& face) {
+  std::vector<Side> touched;
+  for (const Side side : all_sides) {
+    if (!face.surface.collapsed(side)) continue;
+    const auto ends_there = [&](const ChartEdge& edge) {
+      return on_side(face.surface.chart(), side, edge.start()) || on_side(face.surface.chart(), side, edge.end());
+    };
+    const bool is = std::any_of(face.loops.begin(), face.loops.end(), [&](const ChartLoop& loop) {
+      return std::any_of(loop.edges.begin(), loop.edges.end(), ends_there);
+    });
+    if (is) touched.push_back(side);
+  }
+  return touched;
+}
+
+base::Result<std::vector<Opened>> open(const TrimmedSurface& face, SharedNumbers& numbers,
+                                       const RecogniseOptions& options) {
+  const std::vector<Side> poles = poles_touched(face);
+  const Box& chart = face.surface.chart();
+  if (poles.empty()) {
+    Opened same{face, [](Point p) { return p; }, false};
+    Rings rings(face.loops);
+    for (const auto& [i, k] : seams_in(face.surface, rings))
+      rings.edge(i).name = rings.edge(k).name = artificial_border;
+    same.face.loops = rings.loops();
+    return std::vector{std::move(same)};
+  }
+  for (const Side side : poles) {
+    if (side == poles.front() || side == opposite(poles.front())) continue;
+    const Point corner{side == Side::Right || poles.front() == Side::Right ? chart.high.x : chart.low.x,
+                       side == Side::Top || poles.front() == Side::Top ? chart.high.y : chart.low.y};
+    return Error{
+        ErrorCode::NotSupported,
+        "the face touches two sides of its chart that are points and meet; cut it in two by a line between them",
+        place_of(face.surface, corner)};
+  }
+  // A face that comes near to the other pole is cut too: there the chart of this one is as bad.
+  const bool along_u = runs_along_u(poles.front());
+  bool cut = poles.size() > 1;
+  if (face.surface.collapsed(opposite(poles.front()))) {
+    for (const std::vector<Point>& ring : rings_of(face)) {
+      for (const Point p : ring) {
+        const double part = along_u ? (p.y - chart.low.y) / chart.height() : (p.x - chart.low.x) / chart.width();
+        const bool at_low = poles.front() == Side::Bottom || poles.front() == Side::Left;
+        cut = cut || (at_low ? part : 1.0 - part) > 0.75;
+      }
+    }
+  }
+  DOBRA_TRY(const Recognised again,
+            recognised_again(face, cut ? std::optional(poles.front()) : std::nullopt, numbers, options));
+  std::vector<Opened> opened;
+  for (const Side pole : cut ? std::vector{poles.front(), opposite(poles.front())} : poles) {
+    const auto beside_pole = [&](Point p) {
+      if (!cut) return true;
+      const bool low = along_u ? p.y < chart.centre().y : p.x < chart.centre().x;
+      return low == (pole == Side::Bottom || pole == Side::Left);
+    };
+    std::vector<std::size_t> picked;
+    for (std::size_t i = 0; i < again.faces().size(); ++i) {
+      const Point inside = inner_point(again.faces()[i]);
+      if (beside_pole(inside) && contains(face, inside)) picked.push_back(i);
+    }
+    if (picked.empty()) continue;
+    TrimmedSurface part = again.united(picked, CommonLines::Keep);
+    for (const ChartPoint& point : face.points) {
+      if (beside_pole(point.at)) part.points.push_back(point);
+    }
+    for (const ChartRegion& region : face.regions) {
+      if (beside_pole(region.at)) part.regions.push_back(region);
+    }
+    part.reversed = face.reversed, part.name = face.name, part.place = face.place;
+    DOBRA_TRY(Opened one, in_polar_chart(std::move(part), pole));
+    opened.push_back(std::move(one));
+  }
+  return opened;
+}
+
+}  // namespace dobra::surf::trim

@@ -1,0 +1,32 @@
+#pragma once
+// What a recognised chart consists of. Of use inside this folder.
+
+#include "shared/surf/trim/faces.h"
+
+namespace dobra::surf::trim {
+
+struct Recognised::State {
+  Surface surface;
+  RecogniseOptions options;
+  Arcs arcs;
+  Faces faces;
+  Parts parts;                   ///< One a face of the subdivision: which of faces(); -1 outside.
+  std::vector<ChartEdge> edges;  ///< One an arc, in its direction.
+  std::vector<std::uint8_t> bounds;
+  std::vector<std::size_t> line;
+  std::vector<ChartLine::Kind> kind;
+  int count = 0;
+
+  explicit State(Surface of) : surface(std::move(of)) {}
+  [[nodiscard]] ChartEdge edge(std::size_t arc, bool forward) const {
+    ChartEdge made = edges[arc];
+    if (forward) return made;
+    std::swap(made.from, made.to);
+    made.against = !made.against;
+    return made;
+  }
+  [[nodiscard]] TrimmedSurface face(const Parts& of, int number, CommonLines common) const;
+  [[nodiscard]] std::vector<ChartLine> lines_inside(const Parts& of, int number, CommonLines common) const;
+};
+
+}  // namespace dobra::surf::trim
