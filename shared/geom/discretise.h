@@ -12,6 +12,7 @@
 #include "shared/base/angle.h"
 #include "shared/base/result.h"
 #include "shared/geom/point.h"
+#include "shared/geom/point3.h"
 #include "shared/geom/polyline.h"
 
 namespace dobra::geom {
@@ -31,6 +32,13 @@ struct DiscretiseOptions {
 struct CurveFunctions {
   std::function<Point(double)> point;
   std::function<Vector(double)> tangent;
+  std::function<double(double, double)> length;
+};
+
+/// The same of a curve in space.
+struct SpaceCurveFunctions {
+  std::function<Point3(double)> point;
+  std::function<Vector3(double)> tangent;
   std::function<double(double, double)> length;
 };
 
@@ -61,11 +69,15 @@ struct Discretisation {
 /// Turn of the tangent from t0 to t1 by way of the middle, so that neither a full circle nor an S counts as straight.
 /// Where the tangent vanishes, the chord of the half stands for it.
 base::Angle tangent_turn(const CurveFunctions& curve, double t0, double t1);
+base::Angle tangent_turn(const SpaceCurveFunctions& curve, double t0, double t1);
 
 /// @error InvalidOption if a limit is not positive; DegenerateCurve for a curve of no length or (with the place)
 ///        with a corner; NotFinite.
 /// @cost  O(n) evaluations for n segments.
 base::Result<Discretisation> discretise(const CurveFunctions& curve, const DiscretiseOptions& options = {});
+
+/// The parameters alone, of a curve in space.
+base::Result<std::vector<double>> discretise(const SpaceCurveFunctions& curve, const DiscretiseOptions& options = {});
 
 template <Curve T>
 base::Result<Discretisation> discretise(const T& curve, const DiscretiseOptions& options = {}) {

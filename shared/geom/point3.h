@@ -31,6 +31,7 @@ constexpr Vector3 cross(Vector3 a, Vector3 b) {
 }
 inline double length(Vector3 a) { return std::hypot(a.x, a.y, a.z); }
 inline double distance(Point3 p, Point3 q) { return length(p - q); }
+constexpr Point3 midpoint(Point3 p, Point3 q) { return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y), 0.5 * (p.z + q.z)}; }
 /// @pre a is not the zero vector.
 inline Vector3 normalised(Vector3 a) { return a / length(a); }
 inline bool is_finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }

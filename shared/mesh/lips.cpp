@@ -157,10 +157,9 @@ std::array<std::array<NodeId, 2>, 2> ends_of(const ElementMesh& mesh, const std:
   return {{{first[0], first[1]}, {last[1], last[0]}}};
 }
 
-}  // namespace
+enum class Tips : std::uint8_t { Directed, Sets };
 
-Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> names) {
-  DOBRA_TRY_VOID(check(mesh));
+Result<ElementMesh> open(ElementMesh mesh, std::span<const std::string> names, Tips tips) {
   const Numbers number(mesh);
   const std::vector<ElementSide> neighbours = neighbours_of(mesh);
   DOBRA_TRY(const Cracks cracks, mark_cracks(mesh, names, number, neighbours));
@@ -189,7 +188,7 @@ Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> nam
     const auto ends = ends_of(mesh, left);
     for (std::size_t i = 0; i < 2; ++i) {
       if (opened.contains(ends[i][0]) || cracks.edges_at_node[ends[i][0].index()] != 1) continue;
-      mesh.tips.push_back(make_tip(mesh, name + suffix[i], ends[i][0], ends[i][1]));
+      if (tips == Tips::Directed) mesh.tips.push_back(make_tip(mesh, name + suffix[i], ends[i][0], ends[i][1]));
       mesh.node_sets[name + suffix[i]] = {ends[i][0]};
     }
     mesh.side_sets[name + "_left"] = left;
@@ -197,6 +196,17 @@ Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> nam
   }
   name_lips_of_points(mesh, names, opened);
   return mesh;
+}
+
+}  // namespace
+
+Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> names) {
+  DOBRA_TRY_VOID(check(mesh));
+  return open(std::move(mesh), names, Tips::Directed);
+}
+
+Result<ElementMesh> open_lips_of_sides(ElementMesh mesh, std::span<const std::string> names) {
+  return open(std::move(mesh), names, Tips::Sets);
 }
 
 void restore_tips(ElementMesh& mesh) {

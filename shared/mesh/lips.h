@@ -23,6 +23,10 @@ namespace dobra::mesh {
 /// @cost  O(n log n)
 base::Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> cracks);
 
+/// The same by sides alone, for a mesh whose points are a view of ones in space: not checked, and without tips (their
+/// node sets are made).
+base::Result<ElementMesh> open_lips_of_sides(ElementMesh mesh, std::span<const std::string> cracks);
+
 /// Finds the tips again in a mesh that was read from a file, by the names that open_lips gives.
 void restore_tips(ElementMesh& mesh);
 

@@ -4,7 +4,10 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
+#include <span>
+
 #include "shared/base/result.h"
+#include "shared/geom/point3.h"
 #include "shared/mesh/triangle_mesh.h"
 
 namespace dobra::mesh {
@@ -20,6 +23,10 @@ using OpenMeshTriangles = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 /// left behind.
 /// @error CannotMesh with the place where the mesh is not manifold (a node where more than two boundary sides meet).
 base::Result<OpenMeshTriangles> to_openmesh(const TriangleMesh& mesh);
+
+/// The same of points in space. @param regions  one a triangle.
+base::Result<OpenMeshTriangles> to_openmesh(std::span<const geom::Point3> points, std::span<const Corners> triangles,
+                                            std::span<const std::int32_t> regions);
 
 /// The reverse; z is dropped. Region tags come back if the property is there, else they are 0.
 /// @error CannotMesh with the place if a face has no area or is clockwise.

@@ -16,6 +16,22 @@ double alpha(Point a, Point b, Point c) {
   return sides == 0.0 ? 0.0 : 2.0 * std::numbers::sqrt3 * geom::cross(ab, ac) / sides;
 }
 
+double alpha_in_space(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
+  const geom::Vector3 ab = b - a, ac = c - a, bc = c - b;
+  const double sides = dot(ab, ab) + dot(ac, ac) + dot(bc, bc);
+  return sides == 0.0 ? 0.0 : 2.0 * std::numbers::sqrt3 * geom::length(cross(ab, ac)) / sides;
+}
+
+std::array<double, 3> angles_in_space(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
+  const std::array<geom::Point3, 3> corner{a, b, c};
+  std::array<double, 3> angles{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const geom::Vector3 u = corner[(i + 1) % 3] - corner[i], v = corner[(i + 2) % 3] - corner[i];
+    angles[i] = std::atan2(geom::length(cross(u, v)), dot(u, v));
+  }
+  return angles;
+}
+
 AngleRange angles_of(Point a, Point b, Point c) {
   const std::array<Point, 3> corner{a, b, c};
   double least = std::numbers::pi;

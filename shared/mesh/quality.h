@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "shared/base/angle.h"
+#include "shared/geom/point3.h"
 #include "shared/mesh/triangle_mesh.h"
 
 namespace dobra::mesh {
@@ -13,6 +14,8 @@ namespace dobra::mesh {
 /// alpha = 2 sqrt(3) |AB x AC| / (AB^2 + BC^2 + CA^2): 1 for the equilateral triangle, 0 for a flat one; negative when
 /// the corners run clockwise. 0 if all three coincide.
 double alpha(geom::Point a, geom::Point b, geom::Point c);
+/// The same in space, where no triangle runs clockwise.
+double alpha_in_space(geom::Point3 a, geom::Point3 b, geom::Point3 c);
 
 /// Least and greatest angle of a triangle.
 struct AngleRange {
@@ -20,6 +23,8 @@ struct AngleRange {
   base::Angle greatest;
 };
 AngleRange angles_of(geom::Point a, geom::Point b, geom::Point c);
+/// The angles at a, b and c, radians.
+std::array<double, 3> angles_in_space(geom::Point3 a, geom::Point3 b, geom::Point3 c);
 
 struct MeshQuality {
   std::size_t nodes = 0;

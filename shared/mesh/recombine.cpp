@@ -42,7 +42,7 @@ std::array<NodeId, 4> corners_of(const ElementMesh& mesh, const Pair& pair) {
           two[(pair.second.side + 2) % 3]};
 }
 
-std::vector<Pair> pairs_of(const ElementMesh& mesh, double least_quality) {
+std::vector<Pair> pairs_of(const ElementMesh& mesh, double least_quality, const PairQuality& quality) {
   const std::vector<ElementSide> neighbours = neighbours_of(mesh);
   std::vector<std::size_t> first_side(mesh.element_count() + 1, 0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e)
@@ -62,8 +62,9 @@ std::vector<Pair> pairs_of(const ElementMesh& mesh, double least_quality) {
       if (mesh.regions[e] != mesh.regions[across.element.index()]) continue;
       if (kept[first_side[e] + i] != 0 || kept[first_side[across.element.index()] + across.side] != 0) continue;
       Pair pair{0.0, {ElementId(e), i}, across};
-      const auto c = corners_of(mesh, pair);
-      pair.quality = quad_quality(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]), mesh.point(c[3]));
+      const std::optional<double> own = quality(ElementId(e), across.element, corners_of(mesh, pair));
+      if (!own) continue;
+      pair.quality = *own;
       if (pair.quality >= least_quality) pairs.push_back(pair);
     }
   }
@@ -151,9 +152,17 @@ class Matching {
 }  // namespace
 
 ElementMesh recombine(const ElementMesh& mesh, const RecombineOptions& options) {
-  const std::vector<Pair> pairs = pairs_of(mesh, options.least_quality);
+  const auto quality = [&](ElementId, ElementId, const std::array<NodeId, 4>& c) {
+    return quad_quality(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]), mesh.point(c[3]));
+  };
+  return recombine(mesh, options, quality).mesh;
+}
+
+Recombined recombine(const ElementMesh& mesh, const RecombineOptions& options, const PairQuality& quality) {
+  const std::vector<Pair> pairs = pairs_of(mesh, options.least_quality, quality);
   const std::vector<std::size_t> pair_of = Matching(pairs, mesh.element_count()).run();
-  ElementMesh result;
+  Recombined recombined;
+  ElementMesh& result = recombined.mesh;
   result.points = mesh.points;
   result.region_names = mesh.region_names;
   result.node_sets = mesh.node_sets;
@@ -166,9 +175,11 @@ ElementMesh recombine(const ElementMesh& mesh, const RecombineOptions& options) 
     const ElementId element(e);
     if (pair_of[e] == none) {
       new_element[e] = add_element(result, mesh.types[e], mesh.nodes_of(element), mesh.regions[e]);
+      recombined.made_of.push_back({element, ElementId()});
     } else if (const Pair& pair = pairs[pair_of[e]]; pair.first.element == element) {
       new_element[e] = add_element(result, ElementType::Q4, corners_of(mesh, pair), mesh.regions[e]);
       new_element[pair.second.element.index()] = new_element[e];
+      recombined.made_of.push_back({element, pair.second.element});
     }
   }
   for (const auto& [name, sides] : mesh.side_sets) {
@@ -184,7 +195,7 @@ ElementMesh recombine(const ElementMesh& mesh, const RecombineOptions& options) 
       moved.push_back({new_element[e], number});
     }
   }
-  return result;
+  return recombined;
 }
 
 }  // namespace dobra::mesh

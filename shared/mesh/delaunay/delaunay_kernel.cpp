@@ -259,6 +259,8 @@ bool DelaunayKernel::must_flip(Half e) const {
   if (c == at_infinity || d == at_infinity) return false;
   if (b == at_infinity) return filtered_orientation(points_[c], points_[a], points_[d]) == Sign::Positive;
   if (a == at_infinity) return filtered_orientation(points_[d], points_[b], points_[c]) == Sign::Positive;
+  if (rule_ != nullptr)
+    return cells_[cell_of(e)].region >= 0 && cells_[cell_of(f)].region >= 0 && rule_->flips(a, b, c, d);
   return filtered_incircle(points_[a], points_[b], points_[c], points_[d]) == Sign::Positive;
 }
 

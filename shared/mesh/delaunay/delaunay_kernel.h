@@ -46,6 +46,14 @@ class DelaunayKernel {
   };
   enum class Walls : std::uint8_t { Ignore, Stop };  ///< Whether a walk may cross marked sides.
 
+  /// Decides which sides are flipped where the plane is only the chart of a surface.
+  struct FlipRule {
+    virtual ~FlipRule() = default;
+    /// Of the side a-b with the triangles a, b, c and b, a, d, whether c-d is better. @pre endless flips do not come of
+    /// it: what it favours grows with every flip. The new triangles must be anticlockwise.
+    [[nodiscard]] virtual bool flips(Vertex a, Vertex b, Vertex c, Vertex d) const = 0;
+  };
+
   /// A constraint that runs across the marked side from `from` to `to`.
   struct Crossing {
     Vertex from = none;
@@ -65,6 +73,9 @@ class DelaunayKernel {
   /// Makes the segment a-b a chain of marked sides, split at the vertices that lie exactly on it; `chain` receives its
   /// vertices a..b. Nothing, or the marked side that it would have to cross.
   std::optional<Crossing> insert_constraint(Vertex a, Vertex b, Mark mark, std::vector<Vertex>& chain);
+  /// From now on this rule decides, in the cells with region >= 0, instead of the circles of the plane; none: these.
+  /// @pre it outlives the kernel and its copies.
+  void set_rule(const FlipRule* rule) { rule_ = rule; }
   /// Flips every unmarked side that is not Delaunay; returns the number of flips.
   std::size_t legalise_all();
   /// The same starting from the cells round `vertices`; `changed` receives the vertices of the cells that were flipped,
@@ -131,6 +142,7 @@ class DelaunayKernel {
   std::vector<Triangle> cells_;
   std::vector<Half> half_of_;
   std::vector<Half> stack_;
+  const FlipRule* rule_ = nullptr;
   std::uint32_t random_state_ = 2463534242U;
 };
 

@@ -314,7 +314,8 @@ ExtractedMesh extract(const PlanarDomain& domain, const MeshInput& input) {
   const Kernel& kernel = domain.kernel;
   ExtractedMesh result;
   TriangleMesh& mesh = result.mesh;
-  const std::vector<NodeId> node_of_vertex = number_nodes(domain, mesh);
+  result.node_of_vertex = number_nodes(domain, mesh);
+  const std::vector<NodeId>& node_of_vertex = result.node_of_vertex;
   for (Kernel::Cell c = 0; c < kernel.cell_count(); ++c) {
     const Kernel::Triangle& cell = kernel.cell(c);
     if (cell.region < 0) continue;

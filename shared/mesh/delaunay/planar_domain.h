@@ -32,7 +32,8 @@ base::Result<PlanarDomain> build_domain(const MeshInput& input, Outside outside,
 /// A mesh out of a kernel, with the way back from input points.
 struct ExtractedMesh {
   TriangleMesh mesh;
-  std::vector<NodeId> node_of_point;  ///< One an input point; none if the point lies outside.
+  std::vector<NodeId> node_of_point;   ///< One an input point; none if the point lies outside.
+  std::vector<NodeId> node_of_vertex;  ///< One a vertex of the kernel; none of a vertex of no triangle.
 };
 
 /// The cells with region >= 0. Input points keep their order and come first; then the inserted ones, in order.

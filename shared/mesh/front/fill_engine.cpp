@@ -7,59 +7,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/mesh/front/advancing_front.h"
-#include "shared/mesh/front/front_gaps.h"
+#include "shared/mesh/front/front_engine.h"
 #include "shared/mesh/front/frontal_points.h"
+#include "shared/mesh/front/in_plane.h"
 
 namespace dobra::mesh::front {
 
 using base::Error;
 using base::ErrorCode;
-using base::Progress;
 using base::Result;
 using geom::Point;
 
 namespace {
-
-/// The front, then the gaps that it leaves. Where sides of the front cross beyond mending, points everywhere instead.
-class FrontEngine final : public FillEngine {
- public:
-  FrontEngine(delaunay::DelaunayKernel& kernel, const sizing::SizeField& field, const FrontalOptions& options)
-      : kernel_(kernel),
-        field_(field),
-        options_(options),
-        given_(kernel),
-        part_(advancing_front(kernel, field, options, front_)) {}
-
-  Result<void> step(std::size_t count, const Progress& progress) override {
-    constexpr double rows = 0.7;
-    const Progress part = stage_ == Stage::Rows ? progress.part(0.0, rows) : progress.part(rows, 1.0);
-    if (const auto stepped = part_->step(count, part); !stepped) {
-      if (stepped.error().code != ErrorCode::SelfIntersection || stage_ == Stage::Points) return stepped;
-      kernel_ = given_;
-      stage_ = Stage::Points;
-      part_ = frontal_points(kernel_, field_, options_);
-    }
-    if (part_->done() && stage_ == Stage::Rows) {
-      stage_ = Stage::Gaps;
-      part_ = gap_filler(kernel_, front_, field_, options_);
-    }
-    return {};
-  }
-  [[nodiscard]] bool done() const override { return stage_ != Stage::Rows && part_->done(); }
-  [[nodiscard]] std::vector<geom::Segment> front() const override { return part_->front(); }
-
- private:
-  enum class Stage : std::uint8_t { Rows, Gaps, Points };
-
-  delaunay::DelaunayKernel& kernel_;
-  const sizing::SizeField& field_;
-  const FrontalOptions& options_;
-  const delaunay::DelaunayKernel given_;
-  Front front_;
-  std::unique_ptr<FillEngine> part_;
-  Stage stage_ = Stage::Rows;
-};
 
 /// Mean over a triangle of 1 / h^2 for a size h that is linear on it, with these values at its corners: twice the
 /// second divided difference of -ln h (Hermite and Genocchi).
@@ -134,7 +93,7 @@ std::size_t make_room(delaunay::DelaunayKernel& kernel, const sizing::SizeField&
 std::unique_ptr<FillEngine> make_engine(Engine engine, delaunay::DelaunayKernel& kernel, const sizing::SizeField& field,
                                         const FrontalOptions& options) {
   if (engine == Engine::Delaunay) return frontal_points(kernel, field, options);
-  return std::make_unique<FrontEngine>(kernel, field, options);
+  return std::make_unique<InPlane<FrontEngine<Plane>>>(kernel, field, options);
 }
 
 Result<void> check_limit(std::size_t triangles, const FrontalOptions& options) {

@@ -66,6 +66,70 @@ bool follows_badly(const Quadtree& tree, QuadCellId id, const SizeFunction& func
 
 }  // namespace
 
+// Dijkstra over the graph whose arcs are the sides and diagonals of the leaves.
+/// @param grow  of a leaf and two places in its list of corners: by how much a size may grow from the one to the other.
+template <class Grow>
+void SizeField::spread(double largest, const Grow& grow) {
+  const std::vector<QuadCellId> leaves = tree_.leaves();
+  std::vector<std::uint32_t> first(sizes_.size() + 2, 0);
+  for (const QuadCellId leaf : leaves) {
+    for (const std::uint32_t corner : corners_[leaf.index()]) ++first[corner + 2];
+  }
+  for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+  std::vector<QuadCellId> leaf_of(4 * leaves.size());
+  for (const QuadCellId leaf : leaves) {
+    for (const std::uint32_t corner : corners_[leaf.index()]) leaf_of[first[corner + 1]++] = leaf;
+  }
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::uint32_t i = 0; i < sizes_.size(); ++i) {
+    if (sizes_[i] < largest) queue.emplace(sizes_[i], i);
+  }
+  while (!queue.empty()) {
+    const auto [size, corner] = queue.top();
+    queue.pop();
+    if (size > sizes_[corner]) continue;
+    for (std::uint32_t k = first[corner]; k < first[corner + 1]; ++k) {
+      const auto& around = corners_[leaf_of[k].index()];
+      const auto growth = grow(leaf_of[k], corner);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double bound = size + growth(j);
+        if (bound >= sizes_[around[j]]) continue;
+        sizes_[around[j]] = bound;
+        queue.emplace(bound, around[j]);
+      }
+    }
+  }
+}
+
+void SizeField::spread(double slope, double largest, std::span<const geom::Point3> at) {
+  for (double& size : sizes_) size = std::min(size, largest);
+  spread(largest, [&](QuadCellId leaf, std::uint32_t corner) {
+    return [&, corner, around = corners_[leaf.index()]](std::size_t j) {
+      return slope * geom::distance(at[corner], at[around[j]]);
+    };
+  });
+}
+
+SizeField SizeField::on(Quadtree tree) {
+  tree.index_leaves();
+  SizeField field(std::move(tree));
+  field.sizes_.assign(field.number_corners(), std::numeric_limits<double>::infinity());
+  return field;
+}
+
+std::vector<geom::Point> SizeField::corner_places() const {
+  std::vector<geom::Point> places(sizes_.size());
+  for (const QuadCellId leaf : tree_.leaves()) {
+    const geom::Box box = tree_.box(leaf);
+    for (std::size_t k = 0; k < 4; ++k) {
+      places[corners_[leaf.index()][k]] = {(k & 1U) != 0 ? box.high.x : box.low.x,
+                                           (k >> 1U) != 0 ? box.high.y : box.low.y};
+    }
+  }
+  return places;
+}
+
 Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<const delaunay::SizeRequest> requests,
                                    const SizeFieldOptions& options) {
   DOBRA_TRY_VOID(validate(requests, options));
@@ -108,7 +172,12 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
   }
   for (const delaunay::SizeRequest& request : requests) ask(request.at, request.size);
   if (function.at) field.ask_function(function);
-  field.spread(options.growth - 1.0, largest);
+  field.spread(largest, [&, slope = options.growth - 1.0](QuadCellId leaf, std::uint32_t corner) {
+    // The diagonal joins corners 0 and 3, 1 and 2.
+    return [corner, along = slope * field.tree_.side(leaf), &around = field.corners_[leaf.index()]](std::size_t j) {
+      return around[3 - j] == corner ? std::numbers::sqrt2 * along : along;
+    };
+  });
   return field;
 }
 
@@ -153,42 +222,6 @@ std::uint32_t SizeField::number_corners() {
     }
   }
   return count;
-}
-
-// Dijkstra over the graph whose arcs are the sides and diagonals of the leaves.
-void SizeField::spread(double slope, double largest) {
-  const std::vector<QuadCellId> leaves = tree_.leaves();
-  std::vector<std::uint32_t> first(sizes_.size() + 2, 0);
-  for (const QuadCellId leaf : leaves) {
-    for (const std::uint32_t corner : corners_[leaf.index()]) ++first[corner + 2];
-  }
-  for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
-  std::vector<QuadCellId> leaf_of(4 * leaves.size());
-  for (const QuadCellId leaf : leaves) {
-    for (const std::uint32_t corner : corners_[leaf.index()]) leaf_of[first[corner + 1]++] = leaf;
-  }
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (std::uint32_t i = 0; i < sizes_.size(); ++i) {
-    if (sizes_[i] < largest) queue.emplace(sizes_[i], i);
-  }
-  while (!queue.empty()) {
-    const auto [size, corner] = queue.top();
-    queue.pop();
-    if (size > sizes_[corner]) continue;
-    for (std::uint32_t k = first[corner]; k < first[corner + 1]; ++k) {
-      const double along = slope * tree_.side(leaf_of[k]);
-      const auto& around = corners_[leaf_of[k].index()];
-      for (std::size_t j = 0; j < 4; ++j) {
-        // The diagonal joins corners 0 and 3, 1 and 2.
-        const bool across = around[3 - j] == corner;
-        const double bound = size + (across ? std::numbers::sqrt2 * along : along);
-        if (bound >= sizes_[around[j]]) continue;
-        sizes_[around[j]] = bound;
-        queue.emplace(bound, around[j]);
-      }
-    }
-  }
 }
 
 std::array<double, 4> SizeField::corner_sizes(QuadCellId leaf) const {

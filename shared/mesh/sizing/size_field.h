@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/geom/point3.h"
 #include "shared/mesh/delaunay/mesh_input.h"
 #include "shared/mesh/sizing/quadtree.h"
 
@@ -40,6 +41,15 @@ class SizeField {
                                        std::span<const delaunay::SizeRequest> requests,
                                        const SizeFieldOptions& options = {});
 
+  /// For a surface in whose chart a tree stands: sizes at its corners that count in space. Each is infinite till asked.
+  static SizeField on(Quadtree tree);
+  /// Where the corners are in the tree's plane.
+  [[nodiscard]] std::vector<geom::Point> corner_places() const;
+  /// No size at a corner above this.
+  void ask(std::uint32_t corner, double size) { sizes_[corner] = std::min(sizes_[corner], size); }
+  /// Bounds all sizes, and their growth from corner to corner. @param at  where the corners are in space
+  void spread(double slope, double largest, std::span<const geom::Point3> at);
+
   /// Size wanted at p, m; > 0.  @cost the depth of the tree.
   [[nodiscard]] double size_at(geom::Point p) const;
   [[nodiscard]] const Quadtree& quadtree() const { return tree_; }
@@ -58,7 +68,8 @@ class SizeField {
   /// @return how many there are.
   std::uint32_t number_corners();
   void ask_function(const SizeFunction& function);
-  void spread(double slope, double largest);
+  template <class Grow>
+  void spread(double largest, const Grow& grow);
 
   Quadtree tree_;
   std::vector<std::array<std::uint32_t, 4>> corners_;  ///< One a cell; meaningful for leaves.

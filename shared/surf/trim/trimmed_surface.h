@@ -66,7 +66,7 @@ struct ChartRegion {
 
 struct TrimmedSurface {
   Surface surface;
-  std::vector<ChartLoop> loops;
+  std::vector<ChartLoop> loops = {};  ///< None: the whole chart.
   std::vector<ChartLine> lines = {};
   std::vector<ChartPoint> points = {};
   std::vector<ChartRegion> regions = {};

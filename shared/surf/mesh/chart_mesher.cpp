@@ -1,0 +1,199 @@
+#include "shared/surf/mesh/chart_mesher.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "shared/base/check.h"
+#include "shared/mesh/delaunay/planar_domain.h"
+#include "shared/mesh/front/front_engine.h"
+#include "shared/mesh/front/smoother.h"
+#include "shared/surf/mesh/chart_space.h"
+
+namespace dobra::surf::mesh {
+
+using base::Error;
+using base::ErrorCode;
+using base::Progress;
+using base::Result;
+using dobra::mesh::delaunay::MeshInput;
+using dobra::mesh::delaunay::PlanarDomain;
+using dobra::mesh::front::FrontEngine;
+using dobra::mesh::front::Mesher;
+using Kernel = dobra::mesh::delaunay::DelaunayKernel;
+
+namespace {
+
+Result<void> validate(const ChartInput& input, const ChartMeshOptions& options) {
+  const auto wrong = [](const char* text) { return Error{ErrorCode::InvalidOption, text}; };
+  if (input.at.size() != input.chart.points.size()) return wrong("each point of the chart needs its place in space");
+  for (std::size_t i = 0; i < input.at.size(); ++i) {
+    if (geom::is_finite(input.at[i]) && geom::is_finite(input.chart.points[i])) continue;
+    return Error{ErrorCode::NotFinite, fmt::format("point {} of the face is not finite", i + 1)};
+  }
+  const geom::Box box = geom::box_of(input.chart.points);
+  if (!(box.width() > 0.0 && box.height() > 0.0))
+    return Error{ErrorCode::CannotMesh, "the face has no extent in its chart: give a boundary"};
+  if (!(options.points.accept > 1.0))
+    return wrong("accept must be greater than 1: 1 asks for equilateral triangles only");
+  if (!(options.points.least_spacing > 0.0)) return wrong("least_spacing must be greater than 0");
+  if (!(options.points.least_wall > 0.0)) return wrong("least_wall must be greater than 0");
+  if (options.rounds < 0 || options.smoothing.passes < 0) return wrong("rounds and passes must not be negative");
+  if (!(options.smoothing.phi >= 0.0 && options.smoothing.phi <= 1.0)) return wrong("phi must lie between 0 and 1");
+  return {};
+}
+
+MeshInput scaled(const MeshInput& input, const ScaledChart& chart) {
+  MeshInput made = input;
+  for (geom::Point& p : made.points) p = chart.scaled(p);
+  for (auto& region : made.regions) region.at = chart.scaled(region.at);
+  for (geom::Point& p : made.holes) p = chart.scaled(p);
+  for (auto& request : made.sizes) request.at = chart.scaled(request.at);
+  return made;
+}
+
+/// Errors of the plane's triangulation say places of the scaled chart.
+Error unscaled(Error error, const ScaledChart& chart) {
+  if (!error.place || !error.place->x || !error.place->y) return error;
+  const geom::Point uv = chart.unscaled({*error.place->x, *error.place->y});
+  error.place->x = uv.x;
+  error.place->y = uv.y;
+  return error;
+}
+
+}  // namespace
+
+struct ChartMesher::State {
+  ChartInput input;
+  ChartMeshOptions options;
+  ScaledChart chart;
+  MeshInput scaled_input;
+  PlanarDomain domain;
+  ChartSpace space;
+  std::optional<ChartSizes> sizes;
+  std::size_t given = 0;  ///< Vertices of the input.
+  std::unique_ptr<FrontEngine<ChartSpace>> engine = nullptr;
+  Stage stage = Stage::Filling;
+
+  Result<void> prepare(const Progress& progress);
+  Result<void> improve(const Progress& progress) {
+    std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
+    std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
+    return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, options.rounds, progress);
+  }
+};
+
+Result<void> ChartMesher::State::prepare(const Progress& progress) {
+  chart = ScaledChart(input.surface, geom::box_of(input.chart.points));
+  scaled_input = scaled(input.chart, chart);
+  auto built = build_domain(scaled_input, dobra::mesh::delaunay::Outside::Remove, progress.part(0.0, 0.5));
+  if (!built) return unscaled(built.error(), chart);
+  domain = std::move(*built);
+  Kernel& kernel = domain.kernel;
+  given = kernel.vertex_count();
+  std::vector<geom::Point3> at(given);
+  for (std::size_t p = 0; p < input.at.size(); ++p) at[domain.vertex_of_point[p]] = input.at[p];
+  std::vector<GivenSide> sides;
+  for (std::size_t i = 0; i < input.chart.edges.size(); ++i) {
+    for (std::size_t k = domain.chain_first[i]; k + 1 < domain.chain_first[i + 1]; ++k) {
+      const Kernel::Vertex a = domain.chain[k], b = domain.chain[k + 1];
+      sides.push_back({{kernel.point(a), kernel.point(b)}, geom::distance(at[a], at[b])});
+    }
+  }
+  DOBRA_TRY(ChartSizes found, chart_sizes(chart, sides, scaled_input.sizes, options.sizes, progress.part(0.5, 1.0)));
+  sizes = std::move(found);
+  space = ChartSpace(chart, *sizes, kernel);
+  for (Kernel::Vertex v = 0; v < given; ++v) space.enter(v, at[v]);
+  constexpr double doubtful = 1.25;
+  if (space.expected_triangles() > doubtful * static_cast<double>(options.points.max_triangles))
+    return dobra::mesh::front::check_limit(options.points.max_triangles + 1, options.points);
+  space.rule();
+  return {};
+}
+
+void ChartMesher::Destroy::operator()(State* state) const { delete state; }
+ChartMesher::ChartMesher(std::unique_ptr<State> state) : state_(state.release()) {}
+
+Result<ChartMesher> ChartMesher::start(const ChartInput& input, const ChartMeshOptions& options,
+                                       const Progress& progress) {
+  DOBRA_TRY_VOID(validate(input, options));
+  auto state = std::make_unique<State>(State{input, options, {}, {}, {}, {}, {}});
+  State& s = *state;
+  DOBRA_TRY_VOID(s.prepare(progress.part(0.0, 0.1)));
+  s.engine = std::make_unique<FrontEngine<ChartSpace>>(s.domain.kernel, s.space, s.sizes->field, s.options.points);
+  return ChartMesher(std::move(state));
+}
+
+ChartMesher::Stage ChartMesher::stage() const { return state_->stage; }
+
+double ChartMesher::size_at(geom::Point uv) const { return state_->sizes->field.size_at(state_->chart.scaled(uv)); }
+
+Result<void> ChartMesher::step(std::size_t count, const Progress& progress) {
+  State& s = *state_;
+  DOBRA_CHECK(!done());
+  if (s.stage == Stage::Improving) {
+    DOBRA_TRY_VOID(s.improve(progress.part(0.8, 1.0)));
+    s.stage = Stage::Done;
+    return {};
+  }
+  DOBRA_TRY_VOID(s.engine->step(count, progress.part(0.1, 0.8)));
+  if (!s.engine->done()) return {};
+  s.engine.reset();
+  s.stage = Stage::Improving;
+  return {};
+}
+
+Mesher::View ChartMesher::view() const {
+  Mesher::View view;
+  const State& s = *state_;
+  const Kernel& kernel = s.domain.kernel;
+  std::vector<NodeId> number(kernel.vertex_count());
+  for (Kernel::Cell c = 0; c < kernel.cell_count(); ++c) {
+    const Kernel::Triangle& cell = kernel.cell(c);
+    if (cell.region < 0) continue;
+    view.triangles.regions.push_back(cell.region);
+    auto& corners = view.triangles.triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      NodeId& node = number[cell.vertex[i]];
+      if (!node.valid()) {
+        node = NodeId(view.triangles.points.size());
+        view.triangles.points.push_back(s.chart.unscaled(kernel.point(cell.vertex[i])));
+      }
+      corners[i] = node;
+    }
+  }
+  if (s.engine) {
+    for (const geom::Segment& side : s.engine->front())
+      view.front.push_back({s.chart.unscaled(side.from), s.chart.unscaled(side.to)});
+  }
+  return view;
+}
+
+FaceMesh ChartMesher::mesh() const {
+  DOBRA_CHECK(done());
+  const State& s = *state_;
+  auto extracted = dobra::mesh::delaunay::extract(s.domain, s.scaled_input);
+  FaceMesh made{std::move(extracted.mesh), {}};
+  made.at.resize(made.chart.points.size());
+  for (Kernel::Vertex v = 0; v < s.domain.kernel.vertex_count(); ++v) {
+    const NodeId node = extracted.node_of_vertex[v];
+    if (!node.valid()) continue;
+    made.at[node.index()] = s.space.at(v);
+    made.chart.points[node.index()] = s.chart.unscaled(s.domain.kernel.point(v));
+  }
+  for (std::size_t p = 0; p < s.input.at.size(); ++p) {
+    const NodeId node = extracted.node_of_point[p];
+    if (node.valid()) made.chart.points[node.index()] = s.input.chart.points[p];
+  }
+  return made;
+}
+
+Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options, const Progress& progress) {
+  constexpr std::size_t between_checks = 8192;
+  DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, options, progress));
+  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
+  return mesher.mesh();
+}
+
+}  // namespace dobra::surf::mesh

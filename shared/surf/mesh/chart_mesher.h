@@ -1,0 +1,64 @@
+#pragma once
+// The mesher of one face of a surface: sizes from a quadtree in its chart, rows of triangles from the given sides
+// inwards, gaps, flips, smoothing. It is the mesher of the plane (mesh/front/triangulate.h) in another space: what must be
+// decided is decided exactly in the chart, what is measured is measured in space. At once, or step by step.
+// Page: docs/algorithms/surface_front.md. Sources: [miranda2009surface], [miranda1999mesh], [rebay1993].
+
+#include <cstddef>
+#include <memory>
+
+#include "shared/base/progress.h"
+#include "shared/mesh/front/smooth.h"
+#include "shared/mesh/front/triangulate.h"
+#include "shared/surf/mesh/assemble.h"
+#include "shared/surf/mesh/chart_input.h"
+
+namespace dobra::surf::mesh {
+
+struct ChartMeshOptions {
+  SizeOptions sizes = {};
+  dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
+  dobra::mesh::front::SmoothOptions smoothing = {.enough = 0.925, .rescue = 0.9};  ///< Of each round.
+  int rounds = 3;                                                                 ///< Of flips and smoothing.
+};
+
+/// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.
+class ChartMesher {
+ public:
+  using Stage = dobra::mesh::front::Mesher::Stage;
+
+  /// @error as mesh_chart, before any node is placed.
+  static base::Result<ChartMesher> start(const ChartInput& input, const ChartMeshOptions& options = {},
+                                         const base::Progress& progress = {});
+  /// About `count` nodes or triangles more; flips and smoothing are the last step.
+  /// @error TooManyElements, Cancelled: no further step.  @pre not done
+  base::Result<void> step(std::size_t count, const base::Progress& progress = {});
+  [[nodiscard]] Stage stage() const;
+  [[nodiscard]] bool done() const { return stage() == Stage::Done; }
+  /// The triangles made so far, as a mesh of the chart without sets.
+  [[nodiscard]] dobra::mesh::front::Mesher::View view() const;
+  /// Size wanted at a place of the chart, m in space.
+  [[nodiscard]] double size_at(geom::Point uv) const;
+  /// @pre done
+  [[nodiscard]] FaceMesh mesh() const;
+
+ private:
+  struct State;
+  explicit ChartMesher(std::unique_ptr<State> state);
+  struct Destroy {
+    void operator()(State* state) const;
+  };
+  std::unique_ptr<State, Destroy> state_;
+};
+
+/// Meshes the inside of the boundary edges of a face.
+/// @return every given edge is there as given (cut only at given points that lie exactly on it in the chart), in named
+///         sets. No triangle is turned in the chart.
+/// @error  of build_domain (planar_domain.h): NotFinite, InvalidOption, CannotMesh, SelfIntersection, OutsideDomain, with
+///         the place in the chart; InvalidOption: sizes; DegenerateCurve: no normal inside, with the place;
+///         TooManyElements with advice; Cancelled.
+/// @cost   O(n log n) in the number n of triangles; about three jets of the surface a node.
+base::Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options = {},
+                                   const base::Progress& progress = {});
+
+}  // namespace dobra::surf::mesh

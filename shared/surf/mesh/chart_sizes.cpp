@@ -1,0 +1,218 @@
+#include "shared/surf/mesh/chart_sizes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dobra::surf::mesh {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using dobra::mesh::front::LeafScale;
+using dobra::mesh::sizing::QuadCellId;
+using dobra::mesh::sizing::Quadtree;
+using dobra::mesh::sizing::SizedEdge;
+using dobra::mesh::sizing::SizeField;
+using geom::Point;
+
+namespace {
+
+constexpr std::size_t most_cells = 2'000'000;
+
+Result<void> validate(std::span<const dobra::mesh::delaunay::SizeRequest> requests, const SizeOptions& options) {
+  const auto wrong = [](const char* text) { return Error{ErrorCode::InvalidOption, text}; };
+  if (!(options.growth > 1.0) || !std::isfinite(options.growth))
+    return wrong("growth must be greater than 1: it is the ratio of neighbouring sizes");
+  if (!(options.largest >= 0.0)) return wrong("largest must be positive, or 0 for a twentieth of the face");
+  if (!(options.turn > 0.0 && options.turn <= 180.0)) return wrong("turn must be an angle between 0 and 180 degrees");
+  if (!(options.chord >= 0.0)) return wrong("chord must be positive, or 0 for none");
+  if (!(options.least >= 0.0)) return wrong("least must be positive, or 0 for none");
+  for (const auto& request : requests) {
+    if (!(request.size > 0.0) || !std::isfinite(request.size))
+      return wrong("a requested mesh size must be greater than 0");
+  }
+  return {};
+}
+
+/// What a place of the chart asks for and how it is stretched.
+struct Sample {
+  double size = 0.0;
+  double along_x = 0.0, along_y = 0.0;  ///< Length in space of a unit of the chart.
+  double area = 0.0;
+};
+
+class Builder {
+ public:
+  Builder(const ScaledChart& chart, const SizeOptions& options, double largest, const geom::Box& box)
+      : chart_(chart), options_(options), largest_(largest), box_(box) {}
+
+  [[nodiscard]] Sample sample(Point p) const {
+    const Jet jet = chart_.jet(p);
+    const Metric m = metric(jet);
+    const double size = std::max(options_.least, std::min(largest_, size_by_shape(jet, options_)));
+    return {size, std::sqrt(m.e), std::sqrt(m.g), m.area()};
+  }
+  /// Whether a cell must be seen more closely than by its corners.
+  [[nodiscard]] bool follows_badly(const Quadtree& tree, QuadCellId id, std::uint32_t first_look) const {
+    constexpr double unnoticed = 0.1;
+    constexpr double unstretched = 1.6;
+    const geom::Box cell = tree.box(id);
+    if (!cell.overlaps(box_)) return false;
+    if (tree.cell(id).level < first_look) return true;
+    std::array<std::array<double, 3>, 3> size{};
+    Sample least{largest_, 1e300, 1e300, 1e300}, most{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Sample s = sample({cell.low.x + 0.5 * static_cast<double>(i) * cell.width(),
+                                 cell.low.y + 0.5 * static_cast<double>(j) * cell.height()});
+        size[i][j] = s.size;
+        least = {std::min(least.size, s.size), std::min(least.along_x, s.along_x), std::min(least.along_y, s.along_y),
+                 std::min(least.area, s.area)};
+        most = {std::max(most.size, s.size), std::max(most.along_x, s.along_x), std::max(most.along_y, s.along_y),
+                std::max(most.area, s.area)};
+      }
+    }
+    const double side = tree.side(id) * std::max(most.along_x, most.along_y);
+    if (side <= 0.5 * least.size) return false;
+    const double longest = 8.0 * least.size;
+    if (side > longest && (most.along_x > unstretched * least.along_x || most.along_y > unstretched * least.along_y ||
+                           most.area > unstretched * least.area))
+      return true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::array<std::size_t, 2> left = i == 1 ? std::array<std::size_t, 2>{0, 2} : std::array{i, i};
+        const std::array<std::size_t, 2> low = j == 1 ? std::array<std::size_t, 2>{0, 2} : std::array{j, j};
+        const double between =
+            0.25 * (size[left[0]][low[0]] + size[left[1]][low[0]] + size[left[0]][low[1]] + size[left[1]][low[1]]);
+        if (std::abs(between - size[i][j]) > unnoticed * size[i][j]) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const ScaledChart& chart_;
+  const SizeOptions& options_;
+  const double largest_;
+  const geom::Box box_;
+};
+
+/// Levels of the tree before its cells are looked at: each piece of the surface is seen.
+std::uint32_t first_look(const Surface& surface) {
+  const std::size_t pieces = std::max(surface.breaks().u.size(), surface.breaks().v.size());
+  return std::clamp(static_cast<std::uint32_t>(std::ceil(std::log2(static_cast<double>(pieces)))), 4U, 8U);
+}
+
+LeafScale scale_of(std::span<const Metric> metrics) {
+  constexpr double widest = 16.0;
+  double mean = 0.0;
+  LeafScale scale{0.0, 0.0, 0.0};
+  for (const Metric& m : metrics) {
+    const double largest = std::max({m.e, m.g, 1e-300});
+    const double det = std::max(m.e * m.g - m.f * m.f, 1e-8 * largest * largest);
+    mean += std::pow(det, -0.25) / static_cast<double>(metrics.size());
+    scale.reach_u = std::max(scale.reach_u, std::sqrt(m.g / det));
+    scale.reach_v = std::max(scale.reach_v, std::sqrt(m.e / det));
+  }
+  constexpr double reserve = 1.05;
+  scale.mean = mean;
+  scale.reach_u = std::min(reserve * scale.reach_u, widest * mean);
+  scale.reach_v = std::min(reserve * scale.reach_v, widest * mean);
+  return scale;
+}
+
+Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::span<const SizedEdge> edges,
+                         std::span<const dobra::mesh::delaunay::SizeRequest> requests, const SizeOptions& options) {
+  constexpr double unnoticed = 0.1;
+  constexpr double most = 16.0;
+  const double coarser = std::clamp(unnoticed / (options.growth - 1.0), 1.0, most);
+  const double factor = 1.0 / coarser;
+  DOBRA_TRY(Quadtree tree, Quadtree::build(edges, {.refinement_factor = factor,
+                                                   .interior = dobra::mesh::sizing::InteriorCells::Free}));
+  for (const auto& request : requests) {
+    const Sample s = builder.sample(request.at);
+    tree.refine_at(request.at, request.size / std::max({s.along_x, s.along_y, 1e-300}), factor);
+  }
+  const std::uint32_t look = first_look(chart.surface());
+  const auto badly = [&](QuadCellId id) { return builder.follows_badly(tree, id, look); };
+  if (!tree.refine_where(badly, tree.cell_count() + most_cells)) {
+    return Error{ErrorCode::TooManyElements,
+                 "the sizes that the curvature asks for are too small, or change too fast, for a tree of two million "
+                 "cells: use a greater turn or chord, or give a least size"};
+  }
+  tree.balance();
+  return tree;
+}
+
+}  // namespace
+
+double size_by_shape(const Jet& jet, const SizeOptions& options) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto bent = curvature(jet);
+  if (!bent) return none;
+  const double most = std::max(std::abs(bent->least), std::abs(bent->greatest));
+  if (!(most > 0.0)) return none;
+  double size = 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / most;
+  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be a third longer than the size.
+  constexpr double longer = 1.3;
+  if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / most) / longer);
+  return size;
+}
+
+Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
+                               std::span<const dobra::mesh::delaunay::SizeRequest> requests,
+                               const SizeOptions& options, const base::Progress& progress) {
+  DOBRA_TRY_VOID(validate(requests, options));
+  geom::Box box;
+  std::vector<SizedEdge> edges;
+  for (const GivenSide& side : sides) {
+    edges.push_back({side.chart, {}});
+    box.add(side.chart.box());
+  }
+  const double largest = options.largest > 0.0 ? options.largest : chart.surface().size() / 20.0;
+  const Builder builder(chart, options, largest, box);
+  DOBRA_TRY(Quadtree tree, tree_of(chart, builder, edges, requests, options));
+  DOBRA_TRY_VOID(progress.check());
+  ChartSizes made{SizeField::on(std::move(tree)), {}, {}};
+  SizeField& field = made.field;
+  const std::vector<Point> places = field.corner_places();
+  std::vector<geom::Point3> at(places.size());
+  std::vector<Metric> metrics(places.size());
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    const Jet jet = chart.jet(places[i]);
+    at[i] = jet.at;
+    metrics[i] = metric(jet);
+    field.ask(i, std::max(options.least, size_by_shape(jet, options)));
+  }
+  const auto ask = [&](Point p, double size) {
+    for (const std::uint32_t corner : field.corners(field.quadtree().leaf_at(p))) field.ask(corner, size);
+  };
+  for (const GivenSide& side : sides) {
+    if (side.length > 0.0) ask(geom::midpoint(side.chart.from, side.chart.to), side.length);
+  }
+  for (const auto& request : requests) ask(request.at, std::max(options.least, request.size));
+  field.spread(options.growth - 1.0, largest, at);
+
+  made.scale.resize(field.quadtree().cell_count());
+  made.triangles.assign(made.scale.size(), 0.0);
+  for (const QuadCellId leaf : field.quadtree().leaves()) {
+    std::array<Metric, 5> around{};
+    double area = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) around[k] = metrics[field.corners(leaf)[k]];
+    const geom::Box cell = field.quadtree().box(leaf);
+    around[4] = metric(chart.jet(cell.centre()));
+    made.scale[leaf.index()] = scale_of(around);
+    for (const Metric& m : around) area += 0.2 * m.area();
+    const double width = std::max(0.0, std::min(cell.high.x, box.high.x) - std::max(cell.low.x, box.low.x));
+    const double height = std::max(0.0, std::min(cell.high.y, box.high.y) - std::max(cell.low.y, box.low.y));
+    const auto size = field.corner_sizes(leaf);
+    const double mean = 0.25 * (size[0] + size[1] + size[2] + size[3]);
+    made.triangles[leaf.index()] = 4.0 / std::numbers::sqrt3 * area * width * height / (mean * mean);
+  }
+  return made;
+}
+
+}  // namespace dobra::surf::mesh

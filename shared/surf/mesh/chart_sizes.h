@@ -1,0 +1,38 @@
+#pragma once
+// The sizes wanted on a surface: a quadtree in the scaled chart, whose corners have sizes that count in space. They are
+// the least of what is asked: largest size, turn of the normal, chord error, lengths of the given sides, requests; and
+// grow from there by lengths in space. Page: docs/algorithms/surface_front.md.
+
+#include <span>
+#include <vector>
+
+#include "shared/base/progress.h"
+#include "shared/mesh/front/space.h"
+#include "shared/surf/mesh/chart_input.h"
+#include "shared/surf/mesh/scaled_chart.h"
+
+namespace dobra::surf::mesh {
+
+/// A side that stands already and asks for elements of its length.
+struct GivenSide {
+  geom::Segment chart;  ///< In the scaled chart.
+  double length = 0.0;  ///< In space, m.
+};
+
+struct ChartSizes {
+  dobra::mesh::sizing::SizeField field;             ///< Over the scaled chart.
+  std::vector<dobra::mesh::front::LeafScale> scale;  ///< One a cell; meaningful for leaves.
+  std::vector<double> triangles;                    ///< One a cell: about how many fill a leaf.
+};
+
+/// @param requests  in the scaled chart, sizes in space.
+/// @error InvalidOption with the option's name; TooManyElements with advice; Cancelled.
+/// @cost  some jets of the surface for each cell.
+base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
+                                     std::span<const dobra::mesh::delaunay::SizeRequest> requests,
+                                     const SizeOptions& options, const base::Progress& progress = {});
+
+/// The size that the shape of the surface asks for: by turn and chord; infinite where it is flat, or has no normal.
+double size_by_shape(const Jet& jet, const SizeOptions& options);
+
+}  // namespace dobra::surf::mesh

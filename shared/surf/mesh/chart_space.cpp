@@ -1,0 +1,170 @@
+#include "shared/surf/mesh/chart_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dobra::surf::mesh {
+
+using dobra::mesh::sizing::QuadCellId;
+using geom::Vector3;
+
+ChartSpace::Place ChartSpace::between(Vertex a, Vertex b, double t) const {
+  return {nodes_[a].at + t * (nodes_[b].at - nodes_[a].at),
+          geom::interpolate(kernel_->point(a), kernel_->point(b), t), nodes_[a].u(), nodes_[a].v()};
+}
+
+ChartSpace::Place ChartSpace::beside(Vertex a, Vertex b, Vector by) const {
+  const Vector u = 0.5 * (nodes_[a].u() + nodes_[b].u());
+  const Vector v = 0.5 * (nodes_[a].v() + nodes_[b].v());
+  return {geom::midpoint(nodes_[a].at, nodes_[b].at) + by,
+          geom::midpoint(kernel_->point(a), kernel_->point(b)) + in_chart(u, v, by), u, v};
+}
+
+ChartSpace::Place ChartSpace::in_plane(Vertex a, Vertex b, Vertex c, Vector from_a) const {
+  const geom::Vector part = in_chart(at(b) - at(a), at(c) - at(a), from_a);
+  const geom::Point p = kernel_->point(a);
+  return {at(a) + from_a, p + (part.x * (kernel_->point(b) - p) + part.y * (kernel_->point(c) - p)), nodes_[a].u(),
+          nodes_[a].v()};
+}
+
+bool ChartSpace::ground(Place& place) const {
+  if (place.grounded) return true;
+  if (!geom::is_finite(place.in_chart) || !chart_->holds(place.in_chart)) return false;
+  const Jet jet = chart_->jet(place.in_chart);
+  const Vector normal = geom::cross(jet.u, jet.v);
+  constexpr double flattest = 1e-12;  // sine of the angle between the derivatives, squared, times their ratio
+  const double u = dot(jet.u, jet.u), v = dot(jet.v, jet.v);
+  if (!geom::is_finite(jet.at) || !(dot(normal, normal) > flattest * std::max(u, v) * std::max(u, v))) return false;
+  place = {jet.at, place.in_chart, jet.u, jet.v, true};
+  return true;
+}
+
+bool ChartSpace::settle(Vertex a, Vertex b, double height, Place& place) const {
+  constexpr double close_enough = 0.01;
+  constexpr double far_off = 0.1;
+  constexpr int rounds = 3;
+  const Point middle = geom::midpoint(nodes_[a].at, nodes_[b].at);
+  const Vector along = unit(nodes_[b].at - nodes_[a].at);
+  double missed = 1.0;
+  for (int round = 0; round <= rounds; ++round) {
+    if (!ground(place)) return false;
+    const Vector over = place.at - middle;
+    const double aside = dot(over, along);
+    const double squared = dot(over, over);
+    missed = std::max(std::abs(aside) / height, std::abs(std::sqrt(squared) / height - 1.0));
+    if (missed <= close_enough || round == rounds) break;
+    // One step of Newton's for both.
+    const double uu = dot(place.u, along), uv = dot(place.v, along), vu = dot(place.u, over), vv = dot(place.v, over);
+    const double first = -aside, second = 0.5 * (height * height - squared);
+    const double det = uu * vv - uv * vu;
+    const geom::Vector step{(first * vv - uv * second) / det, (uu * second - vu * first) / det};
+    if (!std::isfinite(step.x) || !std::isfinite(step.y)) return false;
+    place.in_chart = place.in_chart + step;
+    place.grounded = false;
+  }
+  return missed <= far_off;
+}
+
+void ChartSpace::enter(Vertex v, Point at) {
+  Place place{at, kernel_->point(v), {}, {}};
+  const Jet jet = chart_->jet(place.in_chart);
+  place.u = jet.u;
+  place.v = jet.v;
+  announce(place);
+}
+
+bool ChartSpace::same_sheet(const Place& place, Vertex v, double distance) const {
+  constexpr double longer = 3.0;
+  const geom::Vector step = place.in_chart - kernel_->point(v);
+  const Vector along = step.x * nodes_[v].u() + step.y * nodes_[v].v();
+  return dot(along, along) < longer * longer * distance * distance;
+}
+
+double ChartSpace::to_side(Point from, Point to, Point p) {
+  const Vector along = to - from;
+  const double t = std::clamp(dot(p - from, along) / dot(along, along), 0.0, 1.0);
+  return geom::distance(from + t * along, p);
+}
+
+double ChartSpace::estimated_triangles(const SizeField& /*field*/) const {
+  double sum = 0.0;
+  for (const double each : sizes_->triangles) sum += each;
+  return sum;
+}
+
+double ChartSpace::expected_triangles() const {
+  const auto& tree = sizes_->field.quadtree();
+  double sum = 0.0;
+  Kernel::Cell last = 0;
+  for (const QuadCellId leaf : tree.leaves()) {
+    const double wanted = sizes_->triangles[leaf.index()];
+    if (wanted == 0.0) continue;
+    // As many places as the leaf has many triangles, up to sixteen.
+    const int rows = wanted < 8.0 ? 1 : wanted < 64.0 ? 2 : 4;
+    const geom::Box box = tree.box(leaf);
+    int inside = 0;
+    for (int k = 0; k < rows * rows; ++k) {
+      const geom::Point p{box.low.x + (k % rows + 0.5) / rows * box.width(),
+                          box.low.y + (k / rows + 0.5) / rows * box.height()};
+      const Kernel::Location found = kernel_->locate(p, last, Kernel::Walls::Ignore);
+      if (found.where == Kernel::Where::Outside || found.half == Kernel::none) continue;
+      last = Kernel::cell_of(found.half);
+      if (kernel_->cell(last).region >= 0) ++inside;
+    }
+    sum += wanted * inside / (rows * rows);
+  }
+  return sum;
+}
+
+std::size_t ChartSpace::make_room(const SizeField& /*field*/, const dobra::mesh::front::FrontalOptions& options) {
+  if (!whole_) return kernel_->cell_count();
+  constexpr double reserve = 1.15;
+  const double expected = std::min(reserve * expected_triangles(), static_cast<double>(options.max_triangles));
+  const std::size_t cells = kernel_->cell_count() + static_cast<std::size_t>(expected);
+  const std::size_t vertices = kernel_->vertex_count() + static_cast<std::size_t>(0.5 * expected);
+  kernel_->reserve(vertices, cells);
+  nodes_.reserve(vertices);
+  return cells;
+}
+
+ChartSpace ChartSpace::part(Kernel& kernel, std::span<const Vertex> node) const {
+  ChartSpace part(*chart_, *sizes_, kernel);
+  part.whole_ = false;
+  part.nodes_.reserve(node.size());
+  for (const Vertex v : node) part.nodes_.push_back(nodes_[v]);
+  return part;
+}
+
+namespace {
+
+/// Cosines of the angles of a triangle: the greatest is that of its least angle.
+double least_angle_cosine(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
+  const Vector3 u = b - a, v = c - b, w = a - c;
+  const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  // The least angle faces the shortest side.
+  if (uu <= vv && uu <= ww) return -dot(v, w) / std::sqrt(vv * ww);
+  if (vv <= ww) return -dot(w, u) / std::sqrt(ww * uu);
+  return -dot(u, v) / std::sqrt(uu * vv);
+}
+
+}  // namespace
+
+bool ChartSpace::flips(Vertex a, Vertex b, Vertex c, Vertex d) const {
+  const Point pa = at(a), pb = at(b), pc = at(c), pd = at(d);
+  // The angles at c and d together are less than half a turn: as good as it can be in a plane.
+  const Vector ca = pa - pc, cb = pb - pc, da = pa - pd, db = pb - pd;
+  const Vector area_c = geom::cross(ca, cb), area_d = geom::cross(db, da);
+  const double cos_c = dot(ca, cb), cos_d = dot(da, db);
+  if (cos_c >= 0.0 && cos_d >= 0.0) return false;
+  const double sin_c = std::sqrt(dot(area_c, area_c)), sin_d = std::sqrt(dot(area_d, area_d));
+  if (sin_c * cos_d + cos_c * sin_d >= 0.0) return false;
+  const geom::Point qa = kernel_->point(a), qb = kernel_->point(b), qc = kernel_->point(c), qd = kernel_->point(d);
+  if (!turns_left(qa, qd, qc) || !turns_left(qd, qb, qc)) return false;
+  // The least of all six angles grows: so it ends.
+  constexpr double margin = 1e-9;
+  const double before = std::max(least_angle_cosine(pa, pb, pc), least_angle_cosine(pb, pa, pd));
+  const double after = std::max(least_angle_cosine(pa, pd, pc), least_angle_cosine(pd, pb, pc));
+  return after < before - margin;
+}
+
+}  // namespace dobra::surf::mesh
