@@ -69,7 +69,16 @@ class Smoother {
       const auto grows = [&](const Star& after) {
         return after.sum > before.sum && after.least >= std::min(before.least, options_.spared);
       };
-      approach(here, before, best_for_sum(here.at), options_.phi, grows);
+      const Point target = best_for_sum(here.at);
+      const double least = options_.least_step * options_.least_step * squared(ring_[0] - here.at);
+      if (squared(target - here.at) <= least) {
+        if (before.least >= options_.rescue) {
+          resting_[v] = resting;
+          return false;
+        }
+      } else {
+        approach(here, before, target, options_.phi, grows);
+      }
     } else {
       approach(here, before, mean_of_neighbours(), options_.phi, keeps_least);
     }
