@@ -81,6 +81,9 @@ class DelaunayKernel {
   /// The same starting from the cells round `vertices`; `changed` receives the vertices of the cells that were flipped,
   /// some several times.
   std::size_t legalise_near(std::span<const Vertex> vertices, std::vector<Vertex>& changed);
+  /// Flips a side whatever the rule says: a-b with the apexes c and d becomes d-c. Twice makes it b-a, as it was.
+  /// @pre not marked, no ghost beside it; the new triangles are anticlockwise
+  void flip(Half e);
   /// Moves a vertex. @pre its triangles stay anticlockwise; call legalise_all afterwards.
   void move(Vertex v, geom::Point to) { points_[v] = to; }
 
@@ -125,7 +128,6 @@ class DelaunayKernel {
  private:
   struct Chain;
   void set_vertex(Half e, Vertex v);
-  void flip(Half e);
   [[nodiscard]] bool must_flip(Half e) const;
   void legalise(Vertex apex);
   std::size_t legalise_stack(std::vector<Vertex>* changed);

@@ -10,6 +10,7 @@
 #include "shared/mesh/front/front_engine.h"
 #include "shared/mesh/front/smoother.h"
 #include "shared/surf/mesh/chart_space.h"
+#include "shared/surf/mesh/tidy.h"
 
 namespace dobra::surf::mesh {
 
@@ -80,7 +81,14 @@ struct ChartMesher::State {
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
     std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
-    return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, options.rounds, progress);
+    const auto smooth = [&](const Progress& part) {
+      return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, options.rounds, part);
+    };
+    DOBRA_TRY_VOID(smooth(progress.part(0.0, 0.4)));
+    if (options.tidy.rounds == 0) return {};
+    DOBRA_TRY(const std::size_t kept, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.4, 0.7)));
+    if (kept == 0) return {};
+    return smooth(progress.part(0.7, 1.0));
   }
 };
 

@@ -12,14 +12,16 @@
 #include "shared/mesh/front/triangulate.h"
 #include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/chart_input.h"
+#include "shared/surf/mesh/tidy.h"
 
 namespace dobra::surf::mesh {
 
 struct ChartMeshOptions {
   SizeOptions sizes = {};
   dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
-  dobra::mesh::front::SmoothOptions smoothing = {.enough = 0.925, .rescue = 0.9};  ///< Of each round.
-  int rounds = 3;                                                                 ///< Of flips and smoothing.
+  dobra::mesh::front::SmoothOptions smoothing = {.enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
+  int rounds = 3;         ///< Of flips and smoothing.
+  TidyOptions tidy = {};  ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.
