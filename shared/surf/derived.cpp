@@ -134,7 +134,8 @@ struct OffsetShape : Surface::Shape {
     const Vector3 across = cross(slope.u, slope.v);
     const double size = geom::length(across);
     if (!(size > 0.0)) return {jet.at + distance * *n, jet.u, jet.v};
-    const auto turned = [&](Vector3 by) { return (distance / size) * (by - dot(by, *n) * *n); };
+    const Vector3 unit = across / size;
+    const auto turned = [&](Vector3 by) { return (distance / size) * (by - dot(by, unit) * unit); };
     const Vector3 by_u = turned(cross(slope.uu, slope.v) + cross(slope.u, slope.uv));
     const Vector3 by_v = turned(cross(slope.uv, slope.v) + cross(slope.u, slope.vv));
     return {jet.at + distance * *n, still_u ? Vector3{} : jet.u + by_u, still_v ? Vector3{} : jet.v + by_v};

@@ -54,14 +54,14 @@ inline Path arc_path(Point centre, double along_u, double along_v, double from, 
           }};
 }
 
-/// Value of a B-spline at t by de Boor's triangle, components by themselves.
-template <std::size_t N>
-std::array<double, N> de_boor_value(std::size_t degree, const std::vector<double>& knots,
-                                    const std::vector<std::array<double, N>>& points, double t) {
+/// Value of a B-spline at t by de Boor's triangle, components by themselves. `point(i)` is control point i.
+template <std::size_t N, class PointOf>
+std::array<double, N> de_boor_value(std::size_t degree, const std::vector<double>& knots, std::size_t count,
+                                    PointOf&& point, double t) {
   std::size_t k = degree;
-  while (k + 1 < points.size() && knots[k + 1] <= t) ++k;
-  std::vector<std::array<double, N>> d(points.begin() + static_cast<std::ptrdiff_t>(k - degree),
-                                       points.begin() + static_cast<std::ptrdiff_t>(k + 1));
+  while (k + 1 < count && knots[k + 1] <= t) ++k;
+  std::array<std::array<double, N>, 8> d{};
+  for (std::size_t j = 0; j <= degree; ++j) d[j] = point(k - degree + j);
   for (std::size_t r = 1; r <= degree; ++r) {
     for (std::size_t j = degree; j >= r; --j) {
       const double low = knots[j + k - degree], high = knots[j + 1 + k - r], a = (t - low) / (high - low);
@@ -105,7 +105,8 @@ inline Path spline_path(std::size_t degree, const std::vector<double>& knots, co
   }
   text += "\n" + knots_text(knots) + "\n";
   return {text, knots[degree], knots[points.size()], [=](double t) {
-            const auto v = de_boor_value(degree, knots, values, t);
+            const auto v = de_boor_value<2>(
+                degree, knots, values.size(), [&](std::size_t i) { return values[i]; }, t);
             return Point{v[0], v[1]};
           }};
 }
@@ -133,9 +134,11 @@ inline Carrier patch_carrier(const PatchOf& patch) {
   }
   text += "\n" + knots_text(patch.knots_u) + "\n" + knots_text(patch.knots_v) + "\n";
   return {text, [patch, rows](Point uv) {
-            std::vector<std::array<double, 4>> column;
-            for (const auto& row : rows) column.push_back(de_boor_value(patch.degree_v, patch.knots_v, row, uv.y));
-            const auto v = de_boor_value(patch.degree_u, patch.knots_u, column, uv.x);
+            const auto row_at = [&](std::size_t i) {
+              return de_boor_value<4>(
+                  patch.degree_v, patch.knots_v, patch.count_v, [&](std::size_t j) { return rows[i][j]; }, uv.y);
+            };
+            const auto v = de_boor_value<4>(patch.degree_u, patch.knots_u, patch.count_u, row_at, uv.x);
             return Point3{v[0] / v[3], v[1] / v[3], v[2] / v[3]};
           }};
 }
@@ -254,7 +257,7 @@ inline std::string brep_text(const DraftFace& face) {
 /// Area within a closed way round the chart, signed: rays from a centre, rule of Gauss in both directions, the area
 /// element from differences of the surface's points. For any way, if the surface has points on all rays.
 inline double area_by_rays(const Carrier& surface, const std::vector<std::pair<Path, bool>>& way, Point centre,
-                           int panels = 24) {
+                           int panels = 12) {
   constexpr std::array<double, 5> at{-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
                                      0.9061798459386640};
   constexpr std::array<double, 5> weight{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
@@ -271,10 +274,10 @@ inline double area_by_rays(const Carrier& surface, const std::vector<std::pair<P
   const auto element = [&](Point p) {
     // Towards the centre, so that nothing is asked beyond the way.
     const double su = p.x > centre.x ? -hu : hu, sv = p.y > centre.y ? -hv : hv;
+    const Point3 here = surface.at(p);
     const auto slope = [&](Point by, double h) {
-      return (1.0 / (2.0 * h)) *
-             (-3.0 * (surface.at(p) - Point3{}) + 4.0 * (surface.at(p + (by - Point{})) - Point3{}) -
-              (surface.at(p + 2.0 * (by - Point{})) - Point3{}));
+      return (1.0 / (2.0 * h)) * (-3.0 * (here - Point3{}) + 4.0 * (surface.at(p + (by - Point{})) - Point3{}) -
+                                  (surface.at(p + 2.0 * (by - Point{})) - Point3{}));
     };
     return geom::length(cross(slope({su, 0.0}, su), slope({0.0, sv}, sv)));
   };
@@ -289,7 +292,7 @@ inline double area_by_rays(const Carrier& surface, const std::vector<std::pair<P
         const double turn = geom::cross(b - centre, along) * (back ? -1.0 : 1.0);
         if (turn == 0.0) continue;
         double ray = 0.0;
-        constexpr int parts = 12;
+        constexpr int parts = 6;
         for (int j = 0; j < parts; ++j) {
           for (std::size_t l = 0; l < 5; ++l) {
             const double s = (j + 0.5 + 0.5 * at[l]) / parts;

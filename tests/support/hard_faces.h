@@ -20,11 +20,14 @@ struct HardFace {
 
 inline constexpr std::uint32_t hard_face_kinds = 30;
 
+/// Whether the area is computed, which takes longer than the rest.
+enum class WithArea { No, Yes };
+
 namespace detail {
 
 class HardFaceMaker {
  public:
-  explicit HardFaceMaker(std::uint32_t seed) : seed_(seed), random_(seed) {}
+  HardFaceMaker(std::uint32_t seed, WithArea with_area) : seed_(seed), with_area_(with_area), random_(seed) {}
 
   HardFace make() {
     using Make = void (HardFaceMaker::*)();
@@ -173,10 +176,17 @@ class HardFaceMaker {
   }
   static Point middle_of(const Way& way) {
     Point sum{};
-    for (const auto& [path, back] : way) sum = sum + (path.at(0.5 * (path.from + path.to)) - Point{});
-    return {sum.x / static_cast<double>(way.size()), sum.y / static_cast<double>(way.size())};
+    constexpr int places = 8;
+    for (const auto& [path, back] : way) {
+      for (int i = 0; i < places; ++i)
+        sum = sum + (path.at(std::lerp(path.from, path.to, (i + 0.5) / places)) - Point{});
+    }
+    const double count_of = places * static_cast<double>(way.size());
+    return {sum.x / count_of, sum.y / count_of};
   }
-  void count(const Way& way) { face_.area += area_by_rays(draft_.surface, way, middle_of(way)); }
+  void count(const Way& way) {
+    if (with_area_ == WithArea::Yes) face_.area += area_by_rays(draft_.surface, way, middle_of(way));
+  }
   void place_anywhere() {
     const double c = std::cos(0.7 + seed_), s = std::sin(0.7 + seed_);
     draft_.placement = {c, -s, 0, real(-3, 3), s, c, 0, real(-3, 3), 0, 0, 1, real(-3, 3)};
@@ -215,6 +225,7 @@ class HardFaceMaker {
     }
     const Path below = spline_path(3, even_knots(3, points), low), above = spline_path(3, even_knots(3, points), high);
     count(add_between(below, above));
+    face_.unsure = 1e-4;
     sound("thin strip");
   }
   /// Two paths over the same u with straight sides.
@@ -286,7 +297,7 @@ class HardFaceMaker {
     patch.knots_u = patch.knots_v = {0, 0, 0, 0.37, 0.37, 0.6, 0.6, 1, 1, 1};
     draft_.surface = patch_carrier(patch);
     count(add_polygon(corners_in({0.05, 0.95, 0.05, 0.95}, whole(3, 7))));
-    face_.unsure = 2e-3;
+    face_.unsure = 5e-3;
     sound("kinked");
   }
 
@@ -388,7 +399,7 @@ class HardFaceMaker {
     const double height = power(-2.5, -1.5);
     draft_.surface = patch_carrier(wavy(3, 7, 1.0, height, 0.02));
     count(add_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
-    face_.unsure = 1e-4;
+    face_.unsure = 5e-4;
     sound("long and thin");
   }
 
@@ -455,7 +466,9 @@ class HardFaceMaker {
     const Path round = spline_path(3, even_knots(3, points.size()), points);
     const std::size_t vertex = draft_.add_vertex(points.front());
     draft_.wires.push_back({{draft_.add_edge({round, std::nullopt, vertex, vertex}), '+'}});
-    face_.area += area_by_rays(draft_.surface, {{round, false}}, {0.5, 0.5});
+    constexpr int panels = 28;  // two for each piece of the spline
+    if (with_area_ == WithArea::Yes) face_.area += area_by_rays(draft_.surface, {{round, false}}, {0.5, 0.5}, panels);
+    face_.unsure = 1e-4;
     sound("wave");
   }
 
@@ -517,6 +530,7 @@ class HardFaceMaker {
   }
 
   std::uint32_t seed_;
+  WithArea with_area_;
   std::mt19937 random_;
   DraftFace draft_;
   HardFace face_;
@@ -525,6 +539,8 @@ class HardFaceMaker {
 }  // namespace detail
 
 /// The same for the same seed; kinds follow each other.
-inline HardFace hard_face(std::uint32_t seed) { return detail::HardFaceMaker(seed).make(); }
+inline HardFace hard_face(std::uint32_t seed, WithArea with_area = WithArea::Yes) {
+  return detail::HardFaceMaker(seed, with_area).make();
+}
 
 }  // namespace dobra::support

@@ -324,15 +324,17 @@ class FaceImport {
 
   std::optional<Refusal> hold_in_chart() {
     const Box& chart = surface_->chart();
+    const geom::Vector hair{1e-12 * chart.width(), 1e-12 * chart.height()};
+    const Box within{chart.low + hair, chart.high - hair};
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       for (Piece& piece : loops_[i]) {
         Point worst{};
         double displaced = 0.0;
         bool leaves = false;
-        for (const double t : parameters_along(piece)) {
-          const Point p = piece.at(t);
-          if (chart.contains(p)) continue;
+        for (const Point p : spread(piece)) {
+          if (within.contains(p)) continue;  // at the border rounding may lead out between the places seen
           leaves = true;
+          if (chart.contains(p)) continue;
           const Point in{std::clamp(p.x, chart.low.x, chart.high.x), std::clamp(p.y, chart.low.y, chart.high.y)};
           const double by = distance(surface_->at(p), surface_->at(in));
           if (by > displaced) displaced = by, worst = in;

@@ -58,7 +58,7 @@ TEST(HardFaces, WhatIsMendedIsTold) {
       {"loops turned", {"loop_turned"}}, {"out of order", {"loop_reordered"}}, {"a period off", {"period_shifted"}},
       {"tiny edges", {"edge_dropped"}},  {"beyond knots", {"curve_held"}}};
   for (std::uint32_t seed = 0; seed < support::hard_face_kinds; ++seed) {
-    const support::HardFace hard = support::hard_face(seed);
+    const support::HardFace hard = support::hard_face(seed, support::WithArea::No);
     if (!hard.sound) continue;
     const Imported made = import_of(hard);
     std::set<std::string> codes;
@@ -74,7 +74,9 @@ TEST(HardFaces, WhatIsMendedIsTold) {
 
 TEST(HardFaces, AreTheSameForTheSameSeed) {
   for (std::uint32_t seed = 0; seed < support::hard_face_kinds; ++seed)
-    EXPECT_EQ(support::hard_face(seed).text, support::hard_face(seed).text) << seed;
+    EXPECT_EQ(support::hard_face(seed, support::WithArea::No).text,
+              support::hard_face(seed, support::WithArea::No).text)
+        << seed;
 }
 
 }  // namespace
