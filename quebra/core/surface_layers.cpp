@@ -9,6 +9,7 @@
 #include "shared/base/text.h"
 #include "shared/mesh/quality.h"
 #include "shared/scene/color_map.h"
+#include "shared/surf/measure.h"
 
 namespace quebra::core {
 
@@ -66,7 +67,91 @@ std::vector<surf::mesh::Finding> findings_of(const model::Model& model) {
   return all;
 }
 
-void draw_surfaces(const model::Model&, scene::Picture&) {}
+namespace {
+
+/// A chart stretched so that its middle lines are as long as in space: places of all charts can be drawn to one scale.
+class DrawnChart {
+ public:
+  explicit DrawnChart(const surf::Surface& surface) : low_(surface.chart().low) {
+    const geom::Box& box = surface.chart();
+    const geom::Point middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
+    u_ = surf::length(surface, {box.low.x, middle.y}, {box.high.x, middle.y}) / box.width();
+    v_ = surf::length(surface, {middle.x, box.low.y}, {middle.x, box.high.y}) / box.height();
+  }
+  [[nodiscard]] geom::Point at(geom::Point uv) const { return {u_ * (uv.x - low_.x), v_ * (uv.y - low_.y)}; }
+
+ private:
+  geom::Point low_;
+  double u_ = 1.0, v_ = 1.0;
+};
+
+constexpr scene::Color crack_red{198, 40, 40};
+constexpr scene::Color mesh_line{55, 71, 79, 150};
+constexpr int samples_an_edge = 96;
+
+geom::Polyline drawn(const surf::trim::ChartEdge& edge, const DrawnChart& chart) {
+  geom::Polyline line;
+  for (int i = 0; i <= samples_an_edge; ++i) {
+    const double part = static_cast<double>(i) / samples_an_edge;
+    line.points.push_back(chart.at(edge.at(edge.from + part * (edge.to - edge.from))));
+  }
+  return line;
+}
+
+void add_lines(const surf::trim::TrimmedSurface& face, const DrawnChart& chart, std::vector<scene::Layer>& layers) {
+  scene::Lines borders, inner, cracks;
+  for (const auto& loop : face.loops) {
+    for (const auto& edge : loop.edges) borders.lines.push_back(drawn(edge, chart));
+  }
+  for (const auto& line : face.lines) {
+    auto& to = line.kind == surf::trim::ChartLine::Kind::Crack ? cracks : inner;
+    for (const auto& edge : line.edges) to.lines.push_back(drawn(edge, chart));
+  }
+  const auto add = [&](const char* key, std::string title, const scene::Style& style, scene::Lines lines) {
+    if (!lines.lines.empty()) layers.push_back({key, std::move(title), style, std::move(lines)});
+  };
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, std::move(borders));
+  add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, std::move(inner));
+  add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8}, std::move(cracks));
+}
+
+scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, const DrawnChart& chart) {
+  scene::Mesh content;
+  content.values_at = scene::ValuesAt::Triangles;
+  const std::vector<double> values = alphas(meshed.mesh);
+  for (std::size_t t = 0; t < values.size(); ++t) {
+    if (meshed.mesh.faces[t] != face) continue;
+    const auto first = static_cast<std::uint32_t>(content.points.size());
+    for (const geom::Point uv : meshed.mesh.places[t]) content.points.push_back(chart.at(uv));
+    content.triangles.push_back({first, first + 1, first + 2});
+    content.values.push_back(values[t]);
+  }
+  content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
+  return {"mesh",
+          translated("Mesh"),
+          {.line = mesh_line, .line_width = values.size() > 20000 ? 0.1 : 0.35},
+          std::move(content),
+          true,
+          scene::InLegend::No};
+}
+
+}  // namespace
+
+void draw_surfaces(const model::Model& model, scene::Picture& picture) {
+  constexpr std::size_t most_charts = 4;
+  picture.arrangement = scene::Arrangement::Grid;
+  const auto& faces = model.surfaces->faces;
+  for (std::size_t f = 0; f < std::min(faces.size(), most_charts); ++f) {
+    const DrawnChart chart(faces[f].surface);
+    scene::Panel panel{.key = fmt::format("chart_{}", f + 1), .title = {}, .axes = {}, .layers = {}};
+    panel.title = fmt::format("{}: {}", translated("Chart"), faces[f].name);
+    panel.axes.x_title = translated("u, by the length in the middle [m]");
+    panel.axes.y_title = translated("v, by the length in the middle [m]");
+    if (!model.surface_meshes.empty()) panel.layers.push_back(mesh_layer(*model.surface_meshes.back(), f, chart));
+    add_lines(faces[f], chart, panel.layers);
+    picture.panels.push_back(std::move(panel));
+  }
+}
 
 void add_surface_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"faces", static_cast<double>(model.surfaces->faces.size()), ""});

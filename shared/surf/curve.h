@@ -26,6 +26,14 @@ class Curve {
   /// @error NotFinite; DegenerateCurve: no radius, axes that are not so, an angle of zero or more than a full turn.
   static base::Result<Curve> arc(geom::Point3 centre, geom::Vector3 along, geom::Vector3 across, double from,
                                  double to);
+  /// at + t along, from <= t <= to. @error NotFinite; DegenerateCurve: no direction, or a range that is empty; so
+  /// below.
+  static base::Result<Curve> line(geom::Point3 at, geom::Vector3 along, double from, double to);
+  /// centre + f(t) along + g(t) across with axes of any length and angle: (f, g) = (cos t, sin t) for an ellipse, of
+  /// which t may go round more than once, (cosh t, sinh t) for a hyperbola, (t^2, t) for a parabola.
+  enum class Conic { Ellipse, Hyperbola, Parabola };
+  static base::Result<Curve> conic(Conic kind, geom::Point3 centre, geom::Vector3 along, geom::Vector3 across,
+                                   double from, double to);
   /// A part of an ellipse, as an arc, but the axes (any two conjugate half diameters) have any lengths and angle.
   /// @error as arc; DegenerateCurve: axes along one line
   static base::Result<Curve> ellipse(geom::Point3 centre, geom::Vector3 along, geom::Vector3 across, double from,
@@ -37,14 +45,6 @@ class Curve {
   /// round where the last point is the first, else with a third derivative that is continuous at the second and last
   /// but one. Two points are a line, three a parabola. Source: [piegl1997], 9.2. @error as polyline
   static base::Result<Curve> through(const std::vector<geom::Point3>& points);
-  /// at + t along, from <= t <= to. @error NotFinite; DegenerateCurve: no direction, or a range that is empty; so
-  /// below.
-  static base::Result<Curve> line(geom::Point3 at, geom::Vector3 along, double from, double to);
-  /// centre + f(t) along + g(t) across with axes of any length and angle: (f, g) = (cos t, sin t) for an ellipse, of
-  /// which t may go round more than once, (cosh t, sinh t) for a hyperbola, (t^2, t) for a parabola.
-  enum class Conic { Ellipse, Hyperbola, Parabola };
-  static base::Result<Curve> conic(Conic kind, geom::Point3 centre, geom::Vector3 along, geom::Vector3 across,
-                                   double from, double to);
   /// A rational B-spline; all weights 1 where none are given.
   /// @error those of SplineBasis::make; InvalidOption: not a point (or weight) for each function, a weight that is not
   ///        positive; NotFinite. Each names the number from 1. DegenerateCurve: it is torn at a knot that stands

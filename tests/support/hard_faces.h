@@ -225,6 +225,7 @@ class HardFaceMaker {
     }
     const Path below = spline_path(3, even_knots(3, points), low), above = spline_path(3, even_knots(3, points), high);
     count(add_between(below, above));
+    face_.unsure = 1e-4;
     sound("thin strip");
   }
   /// Two paths over the same u with straight sides.
@@ -398,7 +399,7 @@ class HardFaceMaker {
     const double height = power(-2.5, -1.5);
     draft_.surface = patch_carrier(wavy(3, 7, 1.0, height, 0.02));
     count(add_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
-    face_.unsure = 1e-4;
+    face_.unsure = 5e-4;
     sound("long and thin");
   }
 
@@ -465,7 +466,9 @@ class HardFaceMaker {
     const Path round = spline_path(3, even_knots(3, points.size()), points);
     const std::size_t vertex = draft_.add_vertex(points.front());
     draft_.wires.push_back({{draft_.add_edge({round, std::nullopt, vertex, vertex}), '+'}});
-    count({{round, false}});
+    constexpr int panels = 28;  // two for each piece of the spline
+    if (with_area_ == WithArea::Yes) face_.area += area_by_rays(draft_.surface, {{round, false}}, {0.5, 0.5}, panels);
+    face_.unsure = 1e-4;
     sound("wave");
   }
 

@@ -23,6 +23,7 @@ struct SmoothOptions {
   /// the neighbours; kept if the sum of all alphas grows and none falls below the least one or `spared`.
   bool equilateral = false;
   double spared = 0.8;
+  double least_step = 0.0;  ///< Nodes that are nearer to that place than this part of a side rest.
   int halvings = 2;     ///< How often a step that the guard refuses is halved before the node stays.
   /// Nodes with a triangle below this alpha are then moved towards where their triangles would be equilateral, the bad
   /// ones counting more: its gain may cost the others half as much. 0: never, equation 18 alone.

@@ -69,7 +69,16 @@ class Smoother {
       const auto grows = [&](const Star& after) {
         return after.sum > before.sum && after.least >= std::min(before.least, options_.spared);
       };
-      approach(here, before, mean_of_tops(here.at), options_.phi, grows);
+      const Point target = best_for_sum(here.at);
+      const double least = options_.least_step * options_.least_step * squared(ring_[0] - here.at);
+      if (squared(target - here.at) <= least) {
+        if (before.least >= options_.rescue) {
+          resting_[v] = resting;
+          return false;
+        }
+      } else {
+        approach(here, before, target, options_.phi, grows);
+      }
     } else {
       approach(here, before, mean_of_neighbours(), options_.phi, keeps_least);
     }
@@ -114,19 +123,22 @@ class Smoother {
     return ring_[0] + sum / static_cast<double>(ring_.size() - 1);
   }
 
-  /// The mean of the places where each triangle of the star would be equilateral, by what a step from there costs it:
-  /// near it the sum of the alphas has its greatest value.
-  [[nodiscard]] Point mean_of_tops(Point here) const {
-    Vector sum;
-    double weights = 0.0;
+  /// Where the sum of the alphas is greatest, nearly: alpha is an area over a sum of squares, and the step is the
+  /// gradient of the sum by what the squares bend it. For equilateral triangles it is the mean of their tops.
+  [[nodiscard]] Point best_for_sum(Point here) const {
+    Vector gradient;
+    double bend = 0.0;
     for (std::size_t i = 1; i < ring_.size(); ++i) {
       const Vector base = ring_[i] - ring_[i - 1];
-      const Point top = geom::midpoint(ring_[i], ring_[i - 1]) + 0.5 * std::numbers::sqrt3 * space_.left_of(frame_, base);
-      const double weight = 1.0 / squared(base);
-      sum = sum + weight * (top - here);
-      weights += weight;
+      const Vector u = ring_[i - 1] - here;
+      const Vector w = ring_[i] - here;
+      const double area = space_.cross(frame_, u, w);
+      const double squares = squared(u) + squared(w) + squared(base);
+      const double weight = 1.0 / (squares * squares);
+      gradient = gradient + weight * (squares * space_.left_of(frame_, base) + 2.0 * area * (u + w));
+      bend += 4.0 * weight * area;
     }
-    return here + sum / weights;
+    return bend > 0.0 ? here + gradient / bend : here;
   }
 
   /// The mean of the places where each triangle of the star would be equilateral, bad ones counting more.

@@ -19,7 +19,7 @@ namespace dobra::surf::mesh {
 struct ChartMeshOptions {
   SizeOptions sizes = {};
   dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
-  dobra::mesh::front::SmoothOptions smoothing = {.enough = 0.98, .equilateral = true, .rescue = 0.9};  ///< Of each round.
+  dobra::mesh::front::SmoothOptions smoothing = {.enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
   int rounds = 3;         ///< Of flips and smoothing.
   TidyOptions tidy = {};  ///< Between two of them.
 };

@@ -16,6 +16,7 @@ using geom::Vector3;
 
 namespace {
 
+constexpr double poor = 0.9;  ///< Alpha below which a triangle counts twice, and more flips are tried.
 double alpha_of(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
   const Vector3 u = b - a, v = c - b, w = a - c;
   const Vector3 area = geom::cross(u, v);
@@ -30,18 +31,34 @@ class Tidier {
         fixed_(fixed),
         options_(options),
         degree_(kernel.vertex_count(), 0),
+        ideal_(kernel.vertex_count(), 6.0F),
         vertex_seen_(kernel.vertex_count(), 0),
         cell_seen_(kernel.cell_count(), 0) {
     for (Cell c = 0; c < kernel.cell_count(); ++c) {
       if (kernel.cell(c).region < 0) continue;
       for (const Vertex v : kernel.cell(c).vertex) ++degree_[v];
     }
+    // A node that stays should have as many triangles as its angle holds of 60 degrees.
+    for (Vertex v = 0; v < kernel.vertex_count(); ++v) {
+      if (fixed[v] != 0) ideal_[v] = 0.0F;
+    }
+    for (Cell c = 0; c < kernel.cell_count(); ++c) {
+      if (kernel.cell(c).region < 0) continue;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Half e = Kernel::half(c, i);
+        const Vertex v = kernel.origin(e);
+        if (fixed[v] == 0) continue;
+        const Vector3 u = space.at(kernel.target(e)) - space.at(v), w = space.at(kernel.apex(e)) - space.at(v);
+        const double angle = std::acos(std::clamp(dot(u, w) / std::sqrt(dot(u, u) * dot(w, w)), -1.0, 1.0));
+        ideal_[v] += static_cast<float>(angle * 3.0 / std::numbers::pi);
+      }
+    }
   }
 
   std::size_t sweep() {
     std::size_t kept = 0;
     for (Vertex v = 0; v < degree_.size(); ++v) {
-      if (fixed_[v] != 0 || degree_[v] == 6 || kernel_.half_of(v) == Kernel::none) continue;
+      if (kernel_.half_of(v) == Kernel::none || (odd(v, 0) < 0.5F && !is_poor(v))) continue;
       if (improve_round(v)) ++kept;
     }
     return kept;
@@ -52,6 +69,19 @@ class Tidier {
     double lost = 0.0;  ///< Sum of 1 - alpha.
     double least = 2.0;
   };
+
+  /// Whether a triangle round v is so.
+  [[nodiscard]] bool is_poor(Vertex v) const {
+    const Half first = kernel_.half_of(v);
+    Half e = first;
+    do {
+      if (kernel_.cell(Kernel::cell_of(e)).region >= 0 &&
+          alpha_of(space_.at(v), space_.at(kernel_.target(e)), space_.at(kernel_.apex(e))) < poor)
+        return true;
+      e = kernel_.around(e);
+    } while (e != first);
+    return false;
+  }
 
   /// Tries the sides of the triangles round v.
   bool improve_round(Vertex v) {
@@ -69,10 +99,9 @@ class Tidier {
     return false;
   }
 
-  /// How far a node is from the number of neighbours that it should have; those that stay are not counted.
-  [[nodiscard]] int odd(Vertex v, int change) const {
-    if (fixed_[v] != 0) return 0;
-    const int off = static_cast<int>(degree_[v]) + change - 6;
+  /// How far a node is from the number of triangles that it should have, squared.
+  [[nodiscard]] float odd(Vertex v, int change) const {
+    const float off = static_cast<float>(static_cast<int>(degree_[v]) + change) - ideal_[v];
     return off * off;
   }
 
@@ -81,10 +110,12 @@ class Tidier {
     if (f == Kernel::none || kernel_.mark(e) != 0) return false;
     if (kernel_.cell(Kernel::cell_of(e)).region < 0 || kernel_.cell(Kernel::cell_of(f)).region < 0) return false;
     const Vertex a = kernel_.origin(e), b = kernel_.target(e), c = kernel_.apex(e), d = kernel_.apex(f);
-    if (degree_[a] <= 4 || degree_[b] <= 4) return false;
-    const int before = odd(a, 0) + odd(b, 0) + odd(c, 0) + odd(d, 0);
-    const int after = odd(a, -1) + odd(b, -1) + odd(c, 1) + odd(d, 1);
-    if (after > before) return false;
+    if ((fixed_[a] == 0 && degree_[a] <= 4) || (fixed_[b] == 0 && degree_[b] <= 4)) return false;
+    const float before = odd(a, 0) + odd(b, 0) + odd(c, 0) + odd(d, 0);
+    const float after = odd(a, -1) + odd(b, -1) + odd(c, 1) + odd(d, 1);
+    const auto alpha = [&](Vertex p, Vertex q, Vertex r) { return alpha_of(space_.at(p), space_.at(q), space_.at(r)); };
+    if (after > before + 0.5F && alpha(a, b, c) >= poor && alpha(b, a, d) >= poor) return false;
+    if (after > before + 4.5F) return false;
     if (!space_.turns_left(kernel_.point(a), kernel_.point(d), kernel_.point(c)) ||
         !space_.turns_left(kernel_.point(d), kernel_.point(b), kernel_.point(c)))
       return false;
@@ -145,7 +176,7 @@ class Tidier {
     for (const Cell c : cells_) {
       const auto& v = kernel_.cell(c).vertex;
       const double alpha = alpha_of(space_.at(v[0]), space_.at(v[1]), space_.at(v[2]));
-      star.lost += 1.0 - alpha;
+      star.lost += 1.0 - alpha + std::max(0.0, poor - alpha);
       star.least = std::min(star.least, alpha);
     }
     return star;
@@ -200,7 +231,8 @@ class Tidier {
   ChartSpace& space_;
   std::span<const std::uint8_t> fixed_;
   const TidyOptions& options_;
-  std::vector<std::uint32_t> degree_;
+  std::vector<std::uint32_t> degree_;  ///< Triangles of each vertex.
+  std::vector<float> ideal_;           ///< How many there should be.
   std::vector<std::uint32_t> vertex_seen_, cell_seen_;
   std::uint32_t visit_ = 0;
   std::vector<Half> sides_;

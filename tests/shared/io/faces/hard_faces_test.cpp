@@ -74,7 +74,8 @@ TEST(HardFaces, WhatIsMendedIsTold) {
 
 TEST(HardFaces, AreTheSameForTheSameSeed) {
   for (std::uint32_t seed = 0; seed < support::hard_face_kinds; ++seed)
-    EXPECT_EQ(support::hard_face(seed, support::WithArea::No).text, support::hard_face(seed, support::WithArea::No).text)
+    EXPECT_EQ(support::hard_face(seed, support::WithArea::No).text,
+              support::hard_face(seed, support::WithArea::No).text)
         << seed;
 }
 

@@ -1,0 +1,208 @@
+// Surfaces, curves, trims and parts of a scenario, and what is said where they are wrong.
+
+#include "quebra/surfaces/surface_input.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "shared/surf/trim/area.h"
+#include "tests/support/surface_scenarios.h"
+
+namespace quebra::surfaces {
+namespace {
+
+using namespace dobra;
+using geom::Point3;
+using test::plate;
+using test::surfaces_of;
+using testing::HasSubstr;
+constexpr double pi = std::numbers::pi;
+
+double area_of(const std::string& text) {
+  const auto made = surfaces_of(text);
+  EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+  double area = 0.0;
+  if (made) {
+    for (const auto& face : made->faces) area += surf::trim::area(face).value;
+  }
+  return area;
+}
+std::string refusal(const std::string& text) {
+  const auto made = surfaces_of(text);
+  EXPECT_FALSE(made.ok()) << text;
+  return made ? "" : to_string(made.error());
+}
+std::string trim(const std::string& lines) { return "[[input.trim]]\nname = \"t\"\n" + lines; }
+
+TEST(SurfaceInput, EveryKindHasTheAreaOfItsFormula) {
+  const std::string head = "[[input.surface]]\nname = \"s\"\n";
+  EXPECT_NEAR(area_of(head + "kind = \"sphere\"\nradius = 2\n"), 16 * pi, 1e-6);
+  EXPECT_NEAR(area_of(head + "kind = \"sphere\"\nradius = 5\nu = [0, 180]\nv = [-60, 60]\n"), 136.034952, 1e-5);
+  EXPECT_NEAR(area_of(head + "kind = \"cylinder\"\nradius = 5\nu = [0, 90]\nv = [0, 10]\n"), 25 * pi, 1e-6);
+  EXPECT_NEAR(area_of(head + "kind = \"torus\"\nradius = 6\nminor_radius = 2\nu = [0, 270]\n"), 355.305758, 1e-5);
+  // A cone of slant 5 from its apex, half angle whose sine is 3/5: pi r s.
+  EXPECT_NEAR(area_of(head + "kind = \"cone\"\nradius = 0\nhalf_angle = 36.86989764584402\nv = [0, 5]\n"), pi * 3 * 5,
+              1e-5);
+  EXPECT_NEAR(area_of(head + "kind = \"graph\"\nformula = \"(x^2 - y^2) / 10\"\nu = [-10, 10]\nv = [-10, 10]\n"),
+              744.625672, 1e-4);
+  EXPECT_NEAR(area_of(plate), 100.0, 1e-9);
+}
+
+TEST(SurfaceInput, SweptSurfacesTakeCurvesByName) {
+  const std::string line = "[[input.space_curve]]\nname = \"low\"\nkind = \"line\"\npoints = [[1, 0, 0], [1, 0, 2]]\n";
+  EXPECT_NEAR(
+      area_of(line + "[[input.surface]]\nname = \"s\"\nkind = \"extruded\"\ncurves = [\"low\"]\nby = [0, 3, 0]\n"), 6.0,
+      1e-9);
+  EXPECT_NEAR(area_of(line + "[[input.surface]]\nname = \"s\"\nkind = \"revolved\"\ncurves = [\"low\"]\nu = [0, 90]\n"),
+              pi, 1e-8);
+  const std::string arc =
+      "[[input.space_curve]]\nname = \"arc\"\nkind = \"arc\"\npoints = [[3, 0, 0], [0, 3, 0], [-3, 0, 0]]\n"
+      "[[input.space_curve]]\nname = \"up\"\nkind = \"circle\"\ncentre = [0, 0, 4]\nradius = 3\nsweep = 180\n";
+  EXPECT_NEAR(area_of(arc + "[[input.surface]]\nname = \"s\"\nkind = \"ruled\"\ncurves = [\"arc\", \"up\"]\n"), 12 * pi,
+              1e-6);
+}
+
+TEST(SurfaceInput, FramesPlaceAndTurn) {
+  const auto made = surfaces_of(
+      "[[input.surface]]\nname = \"s\"\nkind = \"cylinder\"\norigin = [1, 2, 3]\naxis = [0, 2, 0]\nx_axis = [0, 0, 1]\n"
+      "radius = 2\nu = [0, 90]\nv = [0, 1]\n");
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const Point3 p = made->faces[0].surface.at({pi / 2, 0.5});  // y cross ... : z = y, x = z, so y of the frame is x
+  EXPECT_NEAR(p.x, 3.0, 1e-12);
+  EXPECT_NEAR(p.y, 2.5, 1e-12);
+  EXPECT_NEAR(p.z, 3.0, 1e-12);
+}
+
+TEST(SurfaceInput, UnitsOfTheDocumentHoldInChartsToo) {
+  const std::string head = "unit_system = \"mm, N, MPa\"\n";
+  EXPECT_NEAR(area_of(head + "[[input.surface]]\nname = \"plate\"\nkind = \"plane\"\nu = [0, 10]\nv = [0, 10]\n" +
+                      trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [5, 5]\nradius = 2\n")),
+              (100 - 4 * pi) * 1e-6, 1e-13);
+  EXPECT_NEAR(
+      area_of(head + "[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 10\nu = [0, 180]\nv = [0, 5]\n" +
+              trim("kind = \"polygon\"\nrole = \"hole\"\npoints = [[45, 1], [90, 1], [90, 3], [45, 3]]\n")),
+      (50 * pi - 10 * pi / 4 * 2) * 1e-6, 1e-13);
+}
+
+TEST(SurfaceInput, HolesOutlinesAndPartsLeaveWhatIsMeant) {
+  const std::string circle = "kind = \"circle\"\ncentre = [5, 5]\nradius = 2\n";
+  EXPECT_NEAR(area_of(plate + trim(circle + "role = \"hole\"\n")), 100 - 4 * pi, 1e-9);
+  EXPECT_NEAR(area_of(plate + trim(circle + "role = \"outline\"\n")), 4 * pi, 1e-9);
+  const std::string cut = plate + trim("kind = \"line\"\nrole = \"cut\"\npoints = [[3, 0], [3, 10]]\n");
+  EXPECT_NEAR(area_of(cut), 100.0, 1e-9);
+  EXPECT_NEAR(area_of(cut + "[[input.part]]\nat = [1, 1]\n"), 30.0, 1e-9);
+  EXPECT_NEAR(area_of(cut + "[[input.part]]\nfate = \"drop\"\nplace = [1, 1, 0.5]\n"), 70.0, 1e-9);
+  // An ellipse in the chart of a Coons patch over a square takes the ellipse in plan away.
+  EXPECT_NEAR(
+      area_of(plate + trim("kind = \"ellipse\"\nrole = \"hole\"\ncentre = [5, 5]\nradii = [3, 2]\nrotation = 30\n")),
+      100 - 6 * pi, 1e-9);
+}
+
+TEST(SurfaceInput, OtherSurfacesAndPlanesCut) {
+  const std::string half =
+      "[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 5\nu = [0, 180]\nv = [0, 10]\n";
+  const auto made = surfaces_of(
+      half +
+      "[[input.surface]]\nname = \"drill\"\nkind = \"cylinder\"\nuse = \"tool\"\norigin = [0, 0, 5]\naxis = [0, 1, 0]\n"
+      "radius = 2\nv = [1, 9]\n" +
+      trim("surface = \"c\"\nkind = \"surface\"\nrole = \"hole\"\ntool = \"drill\"\n"));
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->faces.size(), 1U);
+  EXPECT_EQ(made->faces[0].loops.size(), 2U);
+  // The hole: 4 r integral over the quarter of sqrt(r^2 - x^2) R / sqrt(R^2 - x^2), by Simpson's rule.
+  double hole = 0.0;
+  constexpr int n = 2000;
+  for (int i = 0; i <= n; ++i) {
+    const double t = 0.5 * pi * i / n, x = 2 * std::sin(t);
+    const double f = 2 * std::cos(t) * 2 * std::cos(t) * 5 / std::sqrt(25 - x * x);
+    hole += f * (i == 0 || i == n ? 1 : i % 2 == 1 ? 4 : 2);
+  }
+  hole *= 4 * (0.5 * pi / n) / 3;
+  EXPECT_NEAR(surf::trim::area(made->faces[0]).value, 50 * pi - hole, 1e-6);
+  // A plane across the half cylinder at v = 4.
+  EXPECT_NEAR(area_of(half + trim("kind = \"plane\"\nrole = \"cut\"\nat = [0, 0, 4]\nnormal = [0, 0, 1]\n") +
+                      "[[input.part]]\nat = [90, 9]\n"),
+              30 * pi, 1e-6);
+}
+
+TEST(SurfaceInput, CommonBordersAreOneAndAreTold) {
+  const std::string two = plate +
+                          "[[input.surface]]\nname = \"wall\"\nkind = \"plane\"\norigin = [0, 0, 0]\naxis = [0, -1, "
+                          "0]\nx_axis = [1, 0, 0]\n"
+                          "u = [2, 6]\nv = [0, 3]\n";
+  const auto made = surfaces_of(two);
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->findings.size(), 1U);
+  EXPECT_EQ(made->findings[0].code, "borders_joined");
+  // The plate's lower side is cut at both ends of the wall's.
+  ASSERT_EQ(made->faces[0].loops[0].edges.size(), 6U);
+  std::size_t shared = 0;
+  for (const auto& face : made->faces) {
+    for (const auto& edge : face.loops[0].edges) shared += edge.shared ? 1U : 0U;
+  }
+  EXPECT_EQ(shared, 2U);
+}
+
+TEST(SurfaceInput, BordersThatOnlyComeNearAreNamedAndNotJoined) {
+  const auto made = surfaces_of(
+      plate +
+      "[[input.surface]]\nname = \"next\"\nkind = \"plane\"\norigin = [10.0003, 0, 0]\nu = [0, 10]\nv = [0, 10]\n");
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->findings.size(), 1U);
+  EXPECT_EQ(made->findings[0].code, "borders_near");
+  EXPECT_THAT(made->findings[0].message, HasSubstr("0.0003 m apart"));
+  for (const auto& face : made->faces) {
+    for (const auto& edge : face.loops[0].edges) EXPECT_FALSE(edge.shared);
+  }
+}
+
+TEST(SurfaceInput, SidesOfTheChartHaveNames) {
+  const auto made = surfaces_of(plate);
+  ASSERT_TRUE(made.ok());
+  std::vector<std::string> names;
+  for (const auto& edge : made->faces[0].loops[0].edges) names.push_back(edge.name);
+  EXPECT_THAT(names, testing::UnorderedElementsAre("plate_bottom", "plate_right", "plate_top", "plate_left"));
+}
+
+TEST(SurfaceInput, BadInputIsNamedWithItsLine) {
+  EXPECT_THAT(refusal("[[input.surface]]\nname = \"n\"\nkind = \"nurbs\"\ndegree = 1\nknots_u = [0, 0, 1, 1]\n"
+                      "knots_v = [0, 1, 0, 1]\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]\n"),
+              testing::AllOf(HasSubstr("test.toml:8"), HasSubstr("surface 'n'"), HasSubstr("knots_v")));
+  EXPECT_THAT(
+      refusal(
+          "[[input.surface]]\nname = \"n\"\nkind = \"nurbs\"\ndegree = 1\nknots_u = [0, 0, 1, 1]\n"
+          "knots_v = [0, 0, 1, 1]\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]\nweights = [1, 1, -2, 1]\n"),
+      testing::AllOf(HasSubstr("surface 'n'"), HasSubstr("weight")));
+  EXPECT_THAT(refusal("[[input.surface]]\nname = \"s\"\nkind = \"sphere\"\n"),
+              testing::AllOf(HasSubstr("test.toml:3"), HasSubstr("`radius` is needed")));
+  EXPECT_THAT(refusal("[[input.surface]]\nname = \"s\"\nkind = \"ruled\"\ncurves = [\"a\", \"b\"]\n"),
+              testing::AllOf(HasSubstr("test.toml:6"), HasSubstr("no space curve 'a'")));
+  EXPECT_THAT(refusal(plate + plate), HasSubstr("two surfaces have this name"));
+  const std::string border = "[[input.space_curve]]\nkind = \"line\"\nname = ";
+  EXPECT_THAT(refusal(border + "\"a\"\npoints = [[0, 0, 0], [1, 0, 0]]\n" + border +
+                      "\"b\"\npoints = [[0, 1, 0], [1, 1, 0]]\n" + border + "\"c\"\npoints = [[0, 0, 0], [0, 1, 0]]\n" +
+                      border +
+                      "\"d\"\npoints = [[1, 0, 0], [1, 1, 0.1]]\n"
+                      "[[input.surface]]\nname = \"s\"\nkind = \"coons\"\ncurves = [\"a\", \"b\", \"c\", \"d\"]\n"),
+              testing::AllOf(HasSubstr("surface 's'"), HasSubstr("0.1")));
+}
+
+TEST(SurfaceInput, TrimsThatLeaveTheChartOrStayOpenAreNamedWithTheirPlace) {
+  EXPECT_THAT(refusal(plate + trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [9, 5]\nradius = 2\n")),
+              testing::AllOf(HasSubstr("trim 't'"), HasSubstr("leaves the chart"), HasSubstr("(u, v = ")));
+  EXPECT_THAT(refusal(plate + trim("kind = \"line\"\nrole = \"hole\"\npoints = [[1, 1], [2, 1], [2, 2]]\n")),
+              testing::AllOf(HasSubstr("its ends do not meet"), HasSubstr("(u, v = 2, 2)")));
+  EXPECT_THAT(refusal(plate + trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [5, 5]\nradius = 2\n") +
+                      "[[input.part]]\nat = [5, 5]\n"),
+              HasSubstr("lies in a hole"));
+  EXPECT_THAT(refusal(plate + "[[input.surface_point]]\nname = \"p\"\nat = [5, 11]\n"),
+              testing::AllOf(HasSubstr("point 'p'"), HasSubstr("outside the chart")));
+  EXPECT_THAT(refusal(plate + trim("kind = \"plane\"\nrole = \"cut\"\nat = [0, 0, 1]\nnormal = [0, 0, 1]\n")),
+              HasSubstr("do not meet"));
+}
+
+}  // namespace
+}  // namespace quebra::surfaces
