@@ -67,29 +67,45 @@ const Field* field_of(const std::vector<Field>& fields, const std::string& key) 
   return nullptr;
 }
 
-}  // namespace
-
-QString remark_in_words(const QString& remark, const std::vector<Field>& fields) {
-  QString said = catalogue::translated(remark);
-  static const QRegularExpression option("--([a-z]+(?:-[a-z]+)*)");
+/// `--repair (repair = "yes")` as `'Repair' = "yes"`, `--gap (gap in [input])` and `--gap` as `'Gap'`.
+QString named_by_options(QString said, const std::vector<Field>& fields) {
+  static const QRegularExpression option(R"(--([a-z]+(?:-[a-z]+)*)(?: \([a-z_]+( = [^()]*)?[^()]*\))?)");
   for (qsizetype from = 0;;) {
     const QRegularExpressionMatch match = option.match(said, from);
     if (!match.hasMatch()) return said;
     const Field* field = field_of(fields, match.captured(1).replace('-', '_').toStdString());
-    const QString title = field != nullptr ? title_of(*field) : match.captured();
+    const QString title = field != nullptr ? title_of(*field) + match.captured(2) : match.captured();
     said.replace(match.capturedStart(), match.capturedLength(), title);
     from = match.capturedStart() + title.size();
   }
 }
 
+}  // namespace
+
+QString remark_in_words(const QString& remark, const std::vector<Field>& fields) {
+  return named_by_options(catalogue::translated(remark), fields);
+}
+
 QString in_words_of_the_form(const QString& message, const std::vector<Field>& fields) {
   if (message.isEmpty()) return {};  // as a form says of each of its rows
-  QString said = message;
-  static const QRegularExpression option(R"( ?\(--[^()]*\))");
-  said.remove(option);
-  for (const Field& field : fields) name_by_title(said, field);
-  said.replace("[input]", text("Input"));
-  return catalogue::translated(said);
+  static const QRegularExpression without(R"( ?\(--[^()]*\))");
+  // Templates have the options with their keys: these get their titles once the message is translated.
+  static const QRegularExpression kept(R"(--[a-z-]+ \([^()]*\))");
+  const QString bare = QString(message).remove(without);
+  QString said;
+  qsizetype from = 0;
+  const auto add = [&](QString part) {
+    for (const Field& field : fields) name_by_title(part, field);
+    said += part;
+  };
+  for (auto options = kept.globalMatch(bare); options.hasNext();) {
+    const QRegularExpressionMatch option = options.next();
+    add(bare.mid(from, option.capturedStart() - from));
+    said += option.captured();
+    from = option.capturedEnd();
+  }
+  add(bare.mid(from));
+  return named_by_options(catalogue::translated(said), fields).replace("[input]", text("Input"));
 }
 
 QString in_words(const base::Error& error) {

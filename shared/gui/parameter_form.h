@@ -26,6 +26,9 @@ class Paragraph;
 
 class TablesEditor;
 
+/// A property of the editors in a form: what the foot of the form says while they have the focus.
+inline constexpr const char* hint_property = "dobra.hint";
+
 /// The names in the model of what a field names ("fault").
 using NamesOf = std::function<std::vector<std::string>(const std::string& what)>;
 

@@ -6,7 +6,9 @@
 #include <QTableView>
 
 #include "shared/gui/labels/status_line.h"
+#include "shared/gui/mending/error_bar.h"
 #include "tests/gui/program_window.h"
+#include "tests/shared/gui/brazilian.h"
 
 namespace quebra::gui {
 namespace {
@@ -49,6 +51,28 @@ TEST(LineNames, ACrackIsCalledByItsOwnName) {
   for (int i = 1; i < seen.lines->count(); ++i) all << seen.lines->itemText(i);
   all.sort();
   EXPECT_EQ(all, (QStringList{"inner one", "left one", "plate"})) << all.join("|").toStdString();
+}
+
+constexpr const char* open_outline =
+    "dobra = 1\nprogram = \"quebra\"\n\n[input]\n\n[[input.curve]]\nname = \"a\"\nkind = \"line\"\n"
+    "points = [[0.0, 0.0], [8.0, 0.0], [8.0, 6.0], [0.0, 6.0], [0.0, 0.05]]\n";
+
+/// Of the option of the command line, the key and the table only the title of the field is left.
+TEST(ErrorsOfTheInput, CallOptionsByTheTitlesOfTheirFields) {
+  const auto said = [] {
+    test::ProgramWindow window("quebra/plate_with_hole.toml");
+    window.open(window.write("open.toml", open_outline));
+    return window->error_bar().message();
+  };
+  const QString english = said();
+  EXPECT_TRUE(english.contains("'Repair' = \"yes\"")) << english.toStdString();
+  EXPECT_FALSE(english.contains("--")) << english.toStdString();
+  EXPECT_FALSE(english.contains("[input]")) << english.toStdString();
+  const test::Brazilian language;
+  const QString brazilian = said();
+  EXPECT_TRUE(brazilian.contains("'Reparo' = \"yes\"")) << brazilian.toStdString();
+  EXPECT_FALSE(brazilian.contains("--")) << brazilian.toStdString();
+  EXPECT_FALSE(brazilian.contains("gaps")) << brazilian.toStdString();
 }
 
 TEST(LineNames, TheSecondCoordinateIsY) {

@@ -67,9 +67,9 @@ TEST_F(PaletteTest, ATitleGoesBeforeWhatIsSaidOfOthers) {
   }
   // Words of a title within quotes begin a title's word as any other.
   using actions::Choice;
-  const std::vector<Choice> choices{{"Add 'Parallel curves'", {}, {}, "curves that grade the mesh"},
-                                    {"Remesh", {}, {}, {}},
-                                    {"Add 'Mesh'", {}, {}, {}}};
+  const std::vector<Choice> choices{{"Add 'Parallel curves'", {}, {}, "curves that grade the mesh", true, {}},
+                                    {"Remesh", {}, {}, {}, true, {}},
+                                    {"Add 'Mesh'", {}, {}, {}, true, {}}};
   EXPECT_EQ(actions::found(choices, "mesh"), (std::vector<std::size_t>{2, 1, 0}));
   EXPECT_EQ(actions::found(choices, "add mesh"), (std::vector<std::size_t>{2, 0}));
 }
