@@ -227,10 +227,11 @@ void VtkWidget::show_marker() {
 void VtkWidget::mark_place() {
   for (std::size_t i = 0; i < picture_.panels.size(); ++i) {
     std::vector<scene::Layer> layers;
+    if (marked_) layers = scene::highlight(picture_.panels[i], *marked_);
     if (place_ && i == panel_of(*place_)) {
-      layers = {marker_layer("gui.place.rim", *place_, marker_color, 18.0),
-                marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0),
-                marker_layer("gui.place.point", *place_, marker_color, 5.0)};
+      layers.push_back(marker_layer("gui.place.rim", *place_, marker_color, 18.0));
+      layers.push_back(marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0));
+      layers.push_back(marker_layer("gui.place.point", *place_, marker_color, 5.0));
     }
     scene_->set_overlay(i, layers);
   }
@@ -394,6 +395,12 @@ void VtkWidget::show_place(geom::Point place) {
 void VtkWidget::clear_place() {
   if (!place_) return;
   place_.reset();
+  show_marker();
+}
+
+void VtkWidget::mark(const std::optional<scene::Pick>& pick) {
+  if (!pick && !marked_) return;
+  marked_ = pick;
   show_marker();
 }
 

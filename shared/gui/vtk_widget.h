@@ -65,10 +65,14 @@ class VtkWidget : public VtkFrames {
   /// Puts a marker at a point of the first panel that can show it, and zooms there.
   void show_place(geom::Point place);
   void clear_place();
+  /// Marks the items of that layer and identity, in whichever panels there are any; nothing: none.
+  void mark(const std::optional<scene::Pick>& pick);
+  [[nodiscard]] const std::optional<scene::Pick>& marked() const { return marked_; }
 
   /// What a panel shows. @pre panel < number of panels
   [[nodiscard]] scene::View view(std::size_t panel) const;
   [[nodiscard]] std::size_t panel_count() const { return picture_.panels.size(); }
+  [[nodiscard]] const std::string& panel_key(std::size_t panel) const { return picture_.panels[panel].key; }
   /// The point of the model under a pixel, with the number of its panel; nothing outside the plots.
   struct Spot {
     std::size_t panel = 0;
@@ -92,6 +96,8 @@ class VtkWidget : public VtkFrames {
   /// What the picture is drawn with where the settings leave it open.
   void exaggerated(double exaggeration);
   void picked(const QString& what);
+  /// The item that was clicked, with its place; nothing: there is none.
+  void picked_item(std::size_t panel, const std::optional<dobra::scene::Pick>& pick, dobra::geom::Point at);
   /// Other places of the model stand in other pixels, or another picture is shown.
   void view_changed();
 
@@ -144,6 +150,7 @@ class VtkWidget : public VtkFrames {
   double filling_ = 1.0;  ///< The exaggeration where the settings leave it open.
   view::History history_;
   QElapsedTimer clock_;
+  std::optional<scene::Pick> marked_;
   std::optional<geom::Point> place_;               ///< Where the marker stands.
   std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
   render::VtkScene* scene_ = nullptr;              ///< The stage, as long as there is one.

@@ -34,6 +34,7 @@ void VtkWidget::pick(QPointF pixel) {
   const scene::Panel& panel = picture_.panels[spot->panel];
   const double scale = view(spot->panel).world_per_point;
   const std::optional<scene::Pick> found = scene::pick(panel, spot->at, pick_reach * scale);
+  emit picked_item(spot->panel, found, spot->at);
   if (!found) {
     emit picked(text("Nothing here."));
     return;

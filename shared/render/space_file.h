@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "shared/base/result.h"
 #include "shared/scene/ground.h"
@@ -23,6 +25,17 @@ struct SpaceFileOptions {
 /// @cost   O(n log n), n triangles
 base::Result<void> write_picture(const scene::space::SpacePicture& picture, const std::filesystem::path& path,
                                  const SpaceFileOptions& options = {});
+
+/// One picture from several sides, side by side in so many columns, each with its title, without legends; with cairo.
+struct NamedView {
+  std::string title;
+  scene::space::Camera camera;
+};
+/// @param options  its page is that of one view, its camera is not used.
+/// @error as write_picture. @pre columns > 0, there is a view
+base::Result<void> write_views(const scene::space::SpacePicture& picture, const std::vector<NamedView>& views,
+                               std::size_t columns, const std::filesystem::path& path,
+                               const SpaceFileOptions& options = {});
 
 /// As the window draws it. @error as write_png_vtk of a planar picture
 base::Result<void> write_png_vtk(const scene::space::SpacePicture& picture, const std::filesystem::path& path,

@@ -234,11 +234,12 @@ std::vector<Layer> highlight(const SpacePicture& picture, const scene::Pick& pic
     if (layer.key != pick.layer) continue;
     std::vector<std::vector<Point3>> lines;
     if (const auto* surface = std::get_if<Surface>(&layer.content)) {
+      std::vector<std::array<std::uint32_t, 3>> chosen;
       for (std::size_t i = 0; i < surface->triangles.size(); ++i) {
-        if (id_of(surface->ids.get(), i) != pick.id) continue;
-        const auto& t = surface->triangles[i];
-        lines.push_back({surface->points[t[0]], surface->points[t[1]], surface->points[t[2]], surface->points[t[0]]});
+        if (id_of(surface->ids.get(), i) == pick.id) chosen.push_back(surface->triangles[i]);
       }
+      for (const auto& [from, to] : rim_of(std::move(chosen)))
+        lines.push_back({surface->points[from], surface->points[to]});
     } else if (const auto* content = std::get_if<Lines>(&layer.content)) {
       for (std::size_t i = 0; i < content->lines.size(); ++i) {
         if (id_of(content->ids, i) == pick.id) lines.push_back(content->lines[i]);

@@ -68,8 +68,8 @@ class Picker {
   geom::Box3 extent_;
 };
 
-/// Triangles, lines and points of the items that a pick means, drawn so as to stand out: what marks it in the picture.
-/// Empty where the layer has no such item.
+/// The rim of the triangles, the lines and points that a pick means, drawn so as to stand out: what marks it in the
+/// picture. Empty where the layer has no such item.
 std::vector<Layer> highlight(const SpacePicture& picture, const scene::Pick& pick);
 
 /// A surface of at most so many triangles that looks the same from afar: points of one cell of a grid become their

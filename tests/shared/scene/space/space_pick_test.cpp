@@ -175,8 +175,9 @@ TEST(SpacePick, WhatIsMarkedIsTheItemThatWasPicked) {
   picture.layers = {layer_of("waves", waves(4)), layer_of("line", Lines{{{{0, 0, 0}, {1, 1, 1}}}, {8}})};
   const auto triangle = highlight(picture, {"waves", 3});
   ASSERT_EQ(triangle.size(), 1U);
-  EXPECT_EQ(std::get<Lines>(triangle[0].content).lines.size(), 1U);
-  EXPECT_EQ(std::get<Lines>(triangle[0].content).lines[0].size(), 4U);
+  EXPECT_EQ(std::get<Lines>(triangle[0].content).lines.size(), 3U);
+  std::get<Surface>(picture.layers[0].content).ids = std::vector<std::uint32_t>(32, 6);  // one sub-domain
+  EXPECT_EQ(std::get<Lines>(highlight(picture, {"waves", 6})[0].content).lines.size(), 16U);
   EXPECT_EQ(highlight(picture, {"line", 8}).size(), 1U);
   EXPECT_TRUE(highlight(picture, {"line", 9}).empty());
   EXPECT_TRUE(highlight(picture, {"no such layer", 0}).empty());
