@@ -129,6 +129,17 @@ TEST(Mend, GapsAreClosedAndASlitIsALineInside) {
   ASSERT_EQ(found->face.lines.size(), 1U);
 }
 
+TEST(Mend, LoopsALittleBeyondTheChartArePulledIn) {
+  for (const double off : {1e-9, 1e-6, 1e-3}) {
+    SharedNumbers numbers;
+    const auto found = mended({square(), {ring({{-off, -off}, {4 + off, -off}, {4 + off, 4}, {0, 4 + off}})}}, numbers);
+    ASSERT_TRUE(found.ok()) << off << found.error().message;
+    EXPECT_NEAR(chart_area(found->face), 16.0, 4 * off);
+    EXPECT_EQ(told(*found, "pulled_in") > 0, off > 1e-7) << off;
+    check_loops(found->face);
+  }
+}
+
 TEST(Mend, LoopsThatCrossAreRefusedAndThoseThatTouchAreNot) {
   SharedNumbers numbers;
   const auto eight = mended({square(), {ring({{1, 1}, {3, 3}, {3, 1}, {1, 3}})}}, numbers);
