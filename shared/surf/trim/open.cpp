@@ -169,7 +169,9 @@ base::Result<Recognised> recognised_again(const TrimmedSurface& face, std::optio
   }
   for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
   for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
-  return recognise(face.surface, lines, numbers, options);
+  RecogniseOptions nameless = options;
+  nameless.name_sides = false;
+  return recognise(face.surface, lines, numbers, nameless);
 }
 
 }  // namespace

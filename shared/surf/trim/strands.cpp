@@ -180,7 +180,8 @@ class Maker {
       }
     }
     if (strands.empty())
-      return Error{ErrorCode::DegenerateCurve, fmt::format("line {} of the chart has no edge", number + 1)};
+      return Error{ErrorCode::DegenerateCurve,
+                   fmt::format("line {} of the chart has no edge; draw it or leave it out", number + 1)};
     Arcs& arcs = made_.arcs;
     for (Strand& each : strands) {
       each.start = arcs.vertex(part_at(each, false), options_.same);
@@ -205,11 +206,16 @@ class Maker {
       const Point uv = arcs.uv(a);
       const double metres = geom::distance(surface_.at(uv), surface_.at(arcs.uv(b)));
       if (gap > options_.close || !follows[i]) {
-        return Error{ErrorCode::CannotMesh,
-                     fmt::format("{} {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end where the next begins",
-                                 first ? "the line does not close: its ends are" : "edges that follow each other are",
-                                 metres, uv.x, uv.y),
-                     place_of(surface_, uv)};
+        const std::string what =
+            first ? fmt::format(
+                        "the line does not close: its ends are {:.6g} m apart at (u {:.6g}, v {:.6g}); draw it to "
+                        "its beginning",
+                        metres, uv.x, uv.y)
+                  : fmt::format(
+                        "edges that follow each other are {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end "
+                        "where the next begins",
+                        metres, uv.x, uv.y);
+        return Error{ErrorCode::CannotMesh, what, place_of(surface_, uv)};
       }
       made_.findings.push_back({"gap_closed",
                                 fmt::format("a gap of {:.3g} m between edges of a line was closed", metres),
@@ -236,9 +242,10 @@ class Maker {
   void add_sides(std::size_t number) {
     const auto add = [&](Side side, std::size_t from, std::size_t to, const char* name) {
       const Arcs& arcs = made_.arcs;
-      Strand strand{.edge = straight(arcs.uv(arcs.vertices[from]), arcs.uv(arcs.vertices[to]), name),
-                    .line = number++,
-                    .side = side};
+      Strand strand{
+          .edge = straight(arcs.uv(arcs.vertices[from]), arcs.uv(arcs.vertices[to]), options_.name_sides ? name : ""),
+          .line = number++,
+          .side = side};
       strand.start = from, strand.end = to;
       made_.arcs.strands.push_back(std::move(strand));
     };
