@@ -58,6 +58,23 @@ TEST(Recognise, AHoleAndALineInside) {
   EXPECT_NE(with_hole.loops[1].edges[0].against, found->faces()[*disk].loops[0].edges[0].against);
 }
 
+TEST(Recognise, AClosedLineThatBoundsNothingLiesInsideOneFace) {
+  TrimLine ring = circle({5, 5}, 2), across{{{straight({0, 5}, {10, 5})}}};
+  ring.bounds = across.bounds = false;
+  ring.line.kind = ChartLine::Kind::Interface;
+  const auto found = recognise(square(10), std::vector{ring, across});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->faces().size(), 1U);
+  const TrimmedSurface& face = found->faces()[0];
+  ASSERT_EQ(face.loops.size(), 1U);
+  EXPECT_EQ(face.loops[0].edges.size(), 6U);  // both sides that the line meets are cut there
+  ASSERT_EQ(face.lines.size(), 2U);
+  EXPECT_EQ(face.lines[0].kind, ChartLine::Kind::Interface);
+  EXPECT_EQ(face.lines[0].edges.size(), 2U);  // in two where the other one crosses
+  EXPECT_EQ(face.lines[1].edges.size(), 3U);
+  EXPECT_LE(geom::distance(face.lines[1].edges[1].start(), {3, 5}), 1e-12);
+}
+
 TEST(Recognise, CirclesThatCrossMakeLensAndLunes) {
   const auto found = recognise(square(4), std::vector{circle({1.5, 2}, 1), circle({2.5, 2}, 1)});
   ASSERT_TRUE(found.ok()) << found.error().message;
