@@ -56,6 +56,12 @@ class Maker {
     std::vector<double> cuts{0.0, 1.0};
     const geom::Box& chart = surface_.chart();
     const std::vector<double> parts = looks(edge);
+    for (const double part : parts) {
+      const Point p = made_.arcs.part(at(edge, part));
+      if (!geom::is_finite(p)) return Error{ErrorCode::NotFinite, "a line in the chart has a point that is not finite"};
+      constexpr double far = 1000.0;
+      if (std::abs(p.x) > far || std::abs(p.y) > far) return beside_chart(p);
+    }
     const auto cut_at_borders = [&](bool closed, auto coordinate, double low, double range) {
       const auto place = [&](double part) { return (coordinate(at(edge, part)) - low) / range; };
       const bool leaves = std::any_of(parts.begin(), parts.end(), [&](double part) {
@@ -112,14 +118,16 @@ class Maker {
     Point where;
     for (const double part : looks(edge)) {
       const Point p = made_.arcs.part(at(edge, part));
-      if (!geom::is_finite(p)) return Error{ErrorCode::NotFinite, "a line in the chart has a point that is not finite"};
       const double off = std::max({-p.x, p.x - 1.0, -p.y, p.y - 1.0});
       if (off > worst) worst = off, where = p;
     }
     if (worst <= options_.close) return worst;
-    const Point uv = made_.arcs.uv(where);
+    return beside_chart(where);
+  }
+  [[nodiscard]] Error beside_chart(Point part) const {
+    const Point uv = made_.arcs.uv(part);
     const geom::Box& chart = surface_.chart();
-    return Error{
+    return {
         ErrorCode::OutsideDomain,
         fmt::format("a line leaves the chart of its surface at (u {:.6g}, v {:.6g}); keep it within u {:.6g} to "
                     "{:.6g}, v {:.6g} to {:.6g}",

@@ -187,6 +187,26 @@ TEST(Recognise, WhatDoesNotCloseEnclosesNothingOrLeavesTheChartIsRefusedWithTheP
   EXPECT_NEAR(*out.error().place->u, 1.0, 1e-12);
 }
 
+TEST(Recognise, LinesFarBesideAClosedChartAreRefusedAtOnce) {
+  const Surface pipe = *Surface::cylinder({}, 1.0, {{0, 0}, {2 * pi, 8}});
+  for (const Point from : {Point{1e12, 1}, {1, 1e12}, {-1e300, 4}}) {
+    const auto found = recognise(pipe, std::vector{TrimLine{{{straight({1, 1}, from)}}}});
+    ASSERT_FALSE(found.ok());
+    EXPECT_EQ(found.error().code, base::ErrorCode::OutsideDomain);
+    EXPECT_TRUE(found.error().place.has_value());
+  }
+}
+
+TEST(Recognise, SharedCurvesThatCoincideAreTold) {
+  ChartEdge one = straight({0, 1}, {4, 1}), other = straight({1, 1}, {3, 1});
+  one.shared = 7, other.shared = 8;
+  const auto found = recognise(square(4), std::vector{TrimLine{{{one}}}, TrimLine{{{other}}}});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->findings().size(), 1U);
+  EXPECT_EQ(found->findings()[0].code, "numbers_coincide");
+  EXPECT_NEAR(*found->findings()[0].place.x, 1.0, 1e-12);
+}
+
 TEST(Recognise, LinesThatRunAsOneWithoutCoincidingAreRefusedWithThePlace) {
   // A line and a cubic that leaves it with the third power: one to 1e-7 over a hundredth of the chart.
   const Curve cubic = *Curve::bezier({{0, 0.499, 0}, {1.0 / 3, 0.504, 0}, {2.0 / 3, 0.496, 0}, {1, 0.501, 0}});
