@@ -135,7 +135,8 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
       reach = std::max(reach, pole == Side::Bottom || pole == Side::Left ? from_low : 1.0 - from_low);
     }
   }
-  DOBRA_TRY(const PolarChart polar, polar_chart(surface, pole, reach));
+  constexpr double room = 1.02;  // for what curves bulge between the points looked at
+  DOBRA_TRY(const PolarChart polar, polar_chart(surface, pole, std::min(1.0, room * reach)));
   const auto map_all = [&](std::vector<ChartEdge>& edges) {
     for (ChartEdge& edge : edges) edge.curve = polar.mapped(edge.curve);
   };

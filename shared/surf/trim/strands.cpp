@@ -73,6 +73,7 @@ class Maker {
         if (std::max(a, b) <= 1.0 && std::min(a, b) >= 0.0) continue;
         for (double seam = std::ceil(std::min(a, b)); seam <= std::max(a, b); ++seam) {
           if (!closed && seam != 0.0 && seam != 1.0) continue;
+          if (std::abs(a - seam) <= options_.same && std::abs(b - seam) <= options_.same) continue;  // along it
           double from = parts[i - 1], to = parts[i];
           for (int k = 0; k < 60; ++k) {
             const double middle = 0.5 * (from + to);
