@@ -194,7 +194,9 @@ base::Result<Mended> mended(const TrimmedSurface& face, SharedNumbers& numbers, 
   std::vector<TrimLine> lines;
   for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
   for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
-  DOBRA_TRY(Analysed found, analysed(face.surface, lines, numbers, options));
+  RecogniseOptions nameless = options;
+  nameless.name_sides = false;
+  DOBRA_TRY(Analysed found, analysed(face.surface, lines, numbers, nameless));
   if (face.loops.empty())
     found.findings.push_back({"no_loops", "the face has no loops: the whole chart is taken",
                               place_of(face.surface, face.surface.chart().centre())});
@@ -239,14 +241,15 @@ std::optional<Error> find_fold(const TrimmedSurface& face) {
   const std::vector<double> us = lines_of(chart.low.x, chart.high.x, surface.breaks().u);
   const std::vector<double> vs = lines_of(chart.low.y, chart.high.y, surface.breaks().v);
   const std::vector<Ring> rings = rings_of(face);
-  const auto told = [&](Point uv, const char* what) {
+  const auto told = [&](Point uv, bool folds) {
     const base::Place place = place_of(surface, uv);
-    return Error{
-        ErrorCode::DegenerateCurve,
-        fmt::format("the surface {} at (u {:.6g}, v {:.6g}), point ({:.6g}, {:.6g}, {:.6g}); change its borders or "
-                    "trim that part away",
-                    what, uv.x, uv.y, *place.x, *place.y, *place.z),
-        place};
+    const std::string what =
+        folds ? fmt::format("the surface folds back at (u {:.6g}, v {:.6g}); change its borders or trim that part away",
+                            uv.x, uv.y)
+              : fmt::format(
+                    "the surface has no normal at (u {:.6g}, v {:.6g}); change its borders or trim that part away",
+                    uv.x, uv.y);
+    return Error{ErrorCode::DegenerateCurve, what, place};
   };
   std::vector<std::optional<Vector3>> below(us.size()), row(us.size());
   for (std::size_t j = 0; j < vs.size(); ++j, std::swap(below, row)) {
@@ -262,13 +265,13 @@ std::optional<Error> find_fold(const TrimmedSurface& face) {
       const Point uv{us[i], vs[j]};
       if (surface.in_pole(uv)) continue;
       const Jet jet = surface.jet(uv);
-      if (!normal(jet)) return told(uv, "has no normal");
+      if (!normal(jet)) return told(uv, false);
       row[i] = cross(jet.u, jet.v);
       if (i > 0 && row[i - 1] && dot(*row[i - 1], *row[i]) < 0.0) {
-        if (const auto fold = fold_between(surface, {us[i - 1], vs[j]}, uv)) return told(*fold, "folds back");
+        if (const auto fold = fold_between(surface, {us[i - 1], vs[j]}, uv)) return told(*fold, true);
       }
       if (j > 0 && below[i] && dot(*below[i], *row[i]) < 0.0) {
-        if (const auto fold = fold_between(surface, {us[i], vs[j - 1]}, uv)) return told(*fold, "folds back");
+        if (const auto fold = fold_between(surface, {us[i], vs[j - 1]}, uv)) return told(*fold, true);
       }
     }
   }

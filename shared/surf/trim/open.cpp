@@ -135,7 +135,8 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
       reach = std::max(reach, pole == Side::Bottom || pole == Side::Left ? from_low : 1.0 - from_low);
     }
   }
-  DOBRA_TRY(const PolarChart polar, polar_chart(surface, pole, reach));
+  constexpr double room = 1.02;  // for what curves bulge between the points looked at
+  DOBRA_TRY(const PolarChart polar, polar_chart(surface, pole, std::min(1.0, room * reach)));
   const auto map_all = [&](std::vector<ChartEdge>& edges) {
     for (ChartEdge& edge : edges) edge.curve = polar.mapped(edge.curve);
   };
@@ -169,7 +170,9 @@ base::Result<Recognised> recognised_again(const TrimmedSurface& face, std::optio
   }
   for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
   for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
-  return recognise(face.surface, lines, numbers, options);
+  RecogniseOptions nameless = options;
+  nameless.name_sides = false;
+  return recognise(face.surface, lines, numbers, nameless);
 }
 
 }  // namespace

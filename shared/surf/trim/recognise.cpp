@@ -79,7 +79,8 @@ class Recogniser {
     auto pairs = seam_pairs(s.surface, s.arcs);
     find_parts(pairs);
     number_seams(pairs);
-    return Analysed{made_, std::move(strands.findings), std::move(meetings), std::move(pairs)};
+    findings_.insert(findings_.begin(), strands.findings.begin(), strands.findings.end());
+    return Analysed{made_, std::move(findings_), std::move(meetings), std::move(pairs)};
   }
 
  private:
@@ -124,7 +125,11 @@ class Recogniser {
         if (strand.line < lines) line = std::min(line, strand.line);
         if (edge.name.empty()) edge.name = strand.edge.name;
         if (!strand.edge.shared) continue;
-        if (edge.shared && &each != &arc.along.front() && own.edge.shared) continue;
+        if (own.edge.shared && &each != &arc.along.front()) {
+          if (own.edge.shared != strand.edge.shared)
+            tell_two_numbers(*own.edge.shared, *strand.edge.shared, edge.start());
+          continue;
+        }
         const double a = std::lerp(strand.edge.from, strand.edge.to, each.from),
                      b = std::lerp(strand.edge.from, strand.edge.to, each.to);
         const double hair = 1e-9 * std::abs(strand.whole_to - strand.whole_from);
@@ -139,6 +144,13 @@ class Recogniser {
       s.line.push_back(line);
       s.kind.push_back(kind);
     }
+  }
+
+  void tell_two_numbers(SharedCurveId kept, SharedCurveId lost, Point uv) {
+    findings_.push_back(
+        {"numbers_coincide",
+         fmt::format("shared curves {} and {} coincide here: the edge has the number of the first", kept, lost),
+         place_of(made_->surface, uv)});
   }
 
   /// Faces between which no line bounds are one part.
@@ -207,6 +219,7 @@ class Recogniser {
 
   std::shared_ptr<Recognised::State> made_;
   SharedNumbers& numbers_;
+  std::vector<Finding> findings_;
 };
 
 /// Lines between two faces.

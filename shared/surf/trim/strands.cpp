@@ -56,6 +56,12 @@ class Maker {
     std::vector<double> cuts{0.0, 1.0};
     const geom::Box& chart = surface_.chart();
     const std::vector<double> parts = looks(edge);
+    for (const double part : parts) {
+      const Point p = made_.arcs.part(at(edge, part));
+      if (!geom::is_finite(p)) return Error{ErrorCode::NotFinite, "a line in the chart has a point that is not finite"};
+      constexpr double far = 1000.0;
+      if (std::abs(p.x) > far || std::abs(p.y) > far) return beside_chart(p);
+    }
     const auto cut_at_borders = [&](bool closed, auto coordinate, double low, double range) {
       const auto place = [&](double part) { return (coordinate(at(edge, part)) - low) / range; };
       const bool leaves = std::any_of(parts.begin(), parts.end(), [&](double part) {
@@ -67,6 +73,7 @@ class Maker {
         if (std::max(a, b) <= 1.0 && std::min(a, b) >= 0.0) continue;
         for (double seam = std::ceil(std::min(a, b)); seam <= std::max(a, b); ++seam) {
           if (!closed && seam != 0.0 && seam != 1.0) continue;
+          if (std::abs(a - seam) <= options_.same && std::abs(b - seam) <= options_.same) continue;  // along it
           double from = parts[i - 1], to = parts[i];
           for (int k = 0; k < 60; ++k) {
             const double middle = 0.5 * (from + to);
@@ -112,14 +119,16 @@ class Maker {
     Point where;
     for (const double part : looks(edge)) {
       const Point p = made_.arcs.part(at(edge, part));
-      if (!geom::is_finite(p)) return Error{ErrorCode::NotFinite, "a line in the chart has a point that is not finite"};
       const double off = std::max({-p.x, p.x - 1.0, -p.y, p.y - 1.0});
       if (off > worst) worst = off, where = p;
     }
     if (worst <= options_.close) return worst;
-    const Point uv = made_.arcs.uv(where);
+    return beside_chart(where);
+  }
+  [[nodiscard]] Error beside_chart(Point part) const {
+    const Point uv = made_.arcs.uv(part);
     const geom::Box& chart = surface_.chart();
-    return Error{
+    return {
         ErrorCode::OutsideDomain,
         fmt::format("a line leaves the chart of its surface at (u {:.6g}, v {:.6g}); keep it within u {:.6g} to "
                     "{:.6g}, v {:.6g} to {:.6g}",
@@ -180,7 +189,8 @@ class Maker {
       }
     }
     if (strands.empty())
-      return Error{ErrorCode::DegenerateCurve, fmt::format("line {} of the chart has no edge", number + 1)};
+      return Error{ErrorCode::DegenerateCurve,
+                   fmt::format("line {} of the chart has no edge; draw it or leave it out", number + 1)};
     Arcs& arcs = made_.arcs;
     for (Strand& each : strands) {
       each.start = arcs.vertex(part_at(each, false), options_.same);
@@ -205,11 +215,16 @@ class Maker {
       const Point uv = arcs.uv(a);
       const double metres = geom::distance(surface_.at(uv), surface_.at(arcs.uv(b)));
       if (gap > options_.close || !follows[i]) {
-        return Error{ErrorCode::CannotMesh,
-                     fmt::format("{} {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end where the next begins",
-                                 first ? "the line does not close: its ends are" : "edges that follow each other are",
-                                 metres, uv.x, uv.y),
-                     place_of(surface_, uv)};
+        const std::string what =
+            first ? fmt::format(
+                        "the line does not close: its ends are {:.6g} m apart at (u {:.6g}, v {:.6g}); draw it to "
+                        "its beginning",
+                        metres, uv.x, uv.y)
+                  : fmt::format(
+                        "edges that follow each other are {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end "
+                        "where the next begins",
+                        metres, uv.x, uv.y);
+        return Error{ErrorCode::CannotMesh, what, place_of(surface_, uv)};
       }
       made_.findings.push_back({"gap_closed",
                                 fmt::format("a gap of {:.3g} m between edges of a line was closed", metres),
@@ -236,9 +251,10 @@ class Maker {
   void add_sides(std::size_t number) {
     const auto add = [&](Side side, std::size_t from, std::size_t to, const char* name) {
       const Arcs& arcs = made_.arcs;
-      Strand strand{.edge = straight(arcs.uv(arcs.vertices[from]), arcs.uv(arcs.vertices[to]), name),
-                    .line = number++,
-                    .side = side};
+      Strand strand{
+          .edge = straight(arcs.uv(arcs.vertices[from]), arcs.uv(arcs.vertices[to]), options_.name_sides ? name : ""),
+          .line = number++,
+          .side = side};
       strand.start = from, strand.end = to;
       made_.arcs.strands.push_back(std::move(strand));
     };

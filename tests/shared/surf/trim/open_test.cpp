@@ -10,6 +10,7 @@
 
 #include "shared/surf/measure.h"
 #include "shared/surf/trim/chart_curves.h"
+#include "shared/surf/trim/mend.h"
 #include "tests/shared/surf/surface_shapes.h"
 #include "tests/shared/surf/trim/chart_checks.h"
 
@@ -155,6 +156,51 @@ TEST(Open, AFullSphereIsTwoDisksWithOneBorder) {
     const Point3 p = (*halves)[0].face.surface.at(a.at(std::lerp(a.from, a.to, i / 20.0)));
     const Point3 q = (*halves)[1].face.surface.at(b.at(std::lerp(b.to, b.from, i / 20.0)));
     EXPECT_LE(geom::distance(p, q), 1e-12);
+  }
+}
+
+TEST(Open, ASphereWhoseLoopIsItsSeamOnly) {
+  const Surface ball = *Surface::sphere({}, 2.0, {{0, -0.5 * pi}, {2 * pi, 0.5 * pi}});
+  for (const double off : {0.0, 2 * pi}) {  // as files have it: up and down the seam, a period off
+    const double low = off, high = off + 2 * pi;
+    const ChartLoop seam{{straight({high, -0.5 * pi}, {high, 0.5 * pi}), straight({low, 0.5 * pi}, {low, -0.5 * pi})}};
+    SharedNumbers numbers;
+    const auto whole = mended({ball, {seam}}, numbers);
+    ASSERT_TRUE(whole.ok()) << whole.error().message;
+    const auto halves = open(whole->face, numbers);
+    ASSERT_TRUE(halves.ok()) << halves.error().message;
+    ASSERT_EQ(halves->size(), 2U);
+    EXPECT_NEAR(area_in_space((*halves)[0].face) + area_in_space((*halves)[1].face), 16 * pi, 0.1);
+    for (const Opened& half : *halves) {
+      for (const ChartEdge& edge : half.face.loops.at(0).edges) EXPECT_EQ(edge.name, artificial_border);
+    }
+  }
+}
+
+TEST(Open, AHoleCloseToThePoleAndItsWavyRimAreWhereTheyWere) {
+  const Surface ball = *Surface::sphere({}, 3.0, {{0, -0.5 * pi}, {2 * pi, 0.5 * pi}});
+  std::vector<Point3> wave;
+  for (int i = 0; i <= 60; ++i) wave.push_back({2 * pi * i / 60.0, 0.3 + 0.1 * std::cos(7 * 2 * pi * i / 60.0), 0});
+  const Curve rim = *Curve::through(wave);
+  const auto found = recognise(
+      ball,
+      std::vector{TrimLine{{{{.curve = rim, .from = rim.low(), .to = rim.high()}}}, true}, circle({1, 1.2}, 0.3)});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  SharedNumbers numbers;
+  const auto cap = open(found->faces()[*found->pick({4, 1})], numbers);
+  ASSERT_TRUE(cap.ok()) << cap.error().message;
+  ASSERT_EQ(cap->size(), 1U);
+  ASSERT_EQ(cap->front().face.loops.size(), 2U);
+  for (const ChartLoop& loop : cap->front().face.loops) {
+    for (const ChartEdge& edge : loop.edges) {
+      for (int i = 0; i <= 300; ++i) {
+        const Point p = edge.at(std::lerp(edge.from, edge.to, i / 300.0)), back = cap->front().back(p);
+        EXPECT_LE(geom::distance(cap->front().face.surface.at(p), ball.at(back)), 1e-12);
+        const bool of_rim = std::abs(back.y - 0.3 - 0.1 * std::cos(7 * back.x)) < 1e-3;
+        const bool of_hole = std::abs(std::hypot(back.x - 1, back.y - 1.2) - 0.3) < 1e-9;
+        EXPECT_TRUE(of_rim || of_hole) << back;
+      }
+    }
   }
 }
 

@@ -58,6 +58,23 @@ TEST(Recognise, AHoleAndALineInside) {
   EXPECT_NE(with_hole.loops[1].edges[0].against, found->faces()[*disk].loops[0].edges[0].against);
 }
 
+TEST(Recognise, AClosedLineThatBoundsNothingLiesInsideOneFace) {
+  TrimLine ring = circle({5, 5}, 2), across{{{straight({0, 5}, {10, 5})}}};
+  ring.bounds = across.bounds = false;
+  ring.line.kind = ChartLine::Kind::Interface;
+  const auto found = recognise(square(10), std::vector{ring, across});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->faces().size(), 1U);
+  const TrimmedSurface& face = found->faces()[0];
+  ASSERT_EQ(face.loops.size(), 1U);
+  EXPECT_EQ(face.loops[0].edges.size(), 6U);  // both sides that the line meets are cut there
+  ASSERT_EQ(face.lines.size(), 2U);
+  EXPECT_EQ(face.lines[0].kind, ChartLine::Kind::Interface);
+  EXPECT_EQ(face.lines[0].edges.size(), 2U);  // in two where the other one crosses
+  EXPECT_EQ(face.lines[1].edges.size(), 3U);
+  EXPECT_LE(geom::distance(face.lines[1].edges[1].start(), {3, 5}), 1e-12);
+}
+
 TEST(Recognise, CirclesThatCrossMakeLensAndLunes) {
   const auto found = recognise(square(4), std::vector{circle({1.5, 2}, 1), circle({2.5, 2}, 1)});
   ASSERT_TRUE(found.ok()) << found.error().message;
@@ -168,6 +185,26 @@ TEST(Recognise, WhatDoesNotCloseEnclosesNothingOrLeavesTheChartIsRefusedWithTheP
   ASSERT_FALSE(out.ok());
   EXPECT_EQ(out.error().code, base::ErrorCode::OutsideDomain);
   EXPECT_NEAR(*out.error().place->u, 1.0, 1e-12);
+}
+
+TEST(Recognise, LinesFarBesideAClosedChartAreRefusedAtOnce) {
+  const Surface pipe = *Surface::cylinder({}, 1.0, {{0, 0}, {2 * pi, 8}});
+  for (const Point from : {Point{1e12, 1}, {1, 1e12}, {-1e300, 4}}) {
+    const auto found = recognise(pipe, std::vector{TrimLine{{{straight({1, 1}, from)}}}});
+    ASSERT_FALSE(found.ok());
+    EXPECT_EQ(found.error().code, base::ErrorCode::OutsideDomain);
+    EXPECT_TRUE(found.error().place.has_value());
+  }
+}
+
+TEST(Recognise, SharedCurvesThatCoincideAreTold) {
+  ChartEdge one = straight({0, 1}, {4, 1}), other = straight({1, 1}, {3, 1});
+  one.shared = 7, other.shared = 8;
+  const auto found = recognise(square(4), std::vector{TrimLine{{{one}}}, TrimLine{{{other}}}});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->findings().size(), 1U);
+  EXPECT_EQ(found->findings()[0].code, "numbers_coincide");
+  EXPECT_NEAR(*found->findings()[0].place.x, 1.0, 1e-12);
 }
 
 TEST(Recognise, LinesThatRunAsOneWithoutCoincidingAreRefusedWithThePlace) {
