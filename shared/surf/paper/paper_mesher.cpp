@@ -58,16 +58,23 @@ Result<TriangleMesh> triangulated_border(const mesh::ChartInput& input, const ba
 }
 
 Result<void> check_options(const PaperOptions& options) {
-  const auto refuse = [](const char* what, double value) {
-    return Error{ErrorCode::InvalidOption, fmt::format("{} and is {}", what, value)};
-  };
-  if (!(options.phi >= 0.0 && options.phi <= 1.0)) return refuse("phi must be from 0 to 1", options.phi);
-  if (!(options.largest >= 0.0)) return refuse("the largest size must not be negative", options.largest);
-  if (!(options.least_distance >= 0.0)) {
-    return refuse("the least distance of a new node must not be negative", options.least_distance);
+  const auto refuse = [](std::string what) { return Error{ErrorCode::InvalidOption, std::move(what)}; };
+  if (!(options.phi >= 0.0 && options.phi <= 1.0)) {
+    return refuse(fmt::format("phi must be from 0 to 1 and is {}", options.phi));
   }
-  if (!(options.height > 0.0)) return refuse("the height of the ideal triangle must be positive", options.height);
-  if (!(options.sphere > 0.0)) return refuse("the radius of the sphere must be positive", options.sphere);
+  if (!(options.largest >= 0.0)) {
+    return refuse(fmt::format("the largest size must not be negative and is {}", options.largest));
+  }
+  if (!(options.least_distance >= 0.0)) {
+    return refuse(
+        fmt::format("the least distance of a new node must not be negative and is {}", options.least_distance));
+  }
+  if (!(options.height > 0.0)) {
+    return refuse(fmt::format("the height of the ideal triangle must be positive and is {}", options.height));
+  }
+  if (!(options.sphere > 0.0)) {
+    return refuse(fmt::format("the radius of the sphere must be positive and is {}", options.sphere));
+  }
   return {};
 }
 
