@@ -28,6 +28,7 @@ std::vector<Figure> mesh_figures();
 std::vector<Figure> quality_figures();
 std::vector<Figure> surf_figures();
 std::vector<Figure> trim_figures();
+std::vector<Figure> paper_figures();
 
 /// One surface from the usual sides (space_figures.cpp).
 base::Result<void> write_projection(const std::filesystem::path& path);

@@ -354,19 +354,16 @@ class Maker {
       }
     }
     border_.on_edges.emplace_back(surfaces_[face].points.size());
-    const bool has_lines = std::any_of(border_.edges.begin() + static_cast<std::ptrdiff_t>(first),
-                                       border_.edges.begin() + static_cast<std::ptrdiff_t>(last),
-                                       [](const BorderEdge& edge) { return edge.line.has_value(); });
-    if (!has_lines && surfaces_[face].points.empty()) return;
     index_face(first, last);
     for (std::size_t e = first; e < last; ++e) {
-      if (!border_.edges[e].line) continue;
+      if (border_.edges[e].point) continue;
       touch_end(e, 0.0, start_of(e));
+      if (!border_.edges[e].line) continue;
       touch_end(e, 1.0, end_of(e));
       cross(e);
     }
     for (std::size_t i = 0; i < surfaces_[face].points.size(); ++i) {
-      const auto found = contact_at(surfaces_[face].points[i].at, last, face);
+      const auto found = contact_at(surfaces_[face].points[i].at, face, [](std::size_t) { return true; });
       if (found) border_.on_edges[face][i] = cut(found->first, found->second);
     }
   }
@@ -393,8 +390,9 @@ class Maker {
     index_ = geom::SpatialIndex(boxes);
   }
 
-  /// The edge but `except` that passes a place of the chart within its tolerance, nearest first, and where.
-  std::optional<std::pair<std::size_t, double>> contact_at(Point uv, std::size_t except, std::size_t face) {
+  /// The edge among those that count that passes a place of the chart within its tolerance, nearest first, and where.
+  template <class Counts>
+  std::optional<std::pair<std::size_t, double>> contact_at(Point uv, std::size_t face, const Counts& counts) {
     const Surface& surface = surfaces_[face].surface;
     const Metric here = metric(surface.jet(uv));
     const double margin = 1e-2 * surface.chart().diagonal();
@@ -404,7 +402,7 @@ class Maker {
     box.add(uv);
     for (const std::size_t i : index_.overlapping(box.grown(margin))) {
       const Chord& chord = chords_[i];
-      if (chord.edge == except || border_.edges[chord.edge].point) continue;
+      if (border_.edges[chord.edge].point || !counts(chord.edge)) continue;
       const ChartFoot foot = foot_on(border_.edges[chord.edge].space, uv, here, chord.s0, chord.s1);
       if (foot.distance > border_.edges[chord.edge].tolerance || foot.distance >= least) continue;
       least = foot.distance;
@@ -413,8 +411,13 @@ class Maker {
     return found;
   }
 
+  /// Where a line ends on another edge, and where a corner of a loop touches another loop.
   void touch_end(std::size_t edge, double s, std::uint32_t vertex) {
-    const auto found = contact_at(border_.edges[edge].space.place(s), edge, border_.edges[edge].face);
+    const BorderEdge& own = border_.edges[edge];
+    const auto counts = [&](std::size_t other) {
+      return own.line ? other != edge : !border_.edges[other].line && border_.edges[other].loop != own.loop;
+    };
+    const auto found = contact_at(own.space.place(s), own.face, counts);
     if (found) same_point(cut(found->first, found->second), vertex);
   }
 

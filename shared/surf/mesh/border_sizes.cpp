@@ -142,8 +142,13 @@ class Samples {
   /// Where other parts of the border come near that are no neighbours along it.
   void narrow(double elements, double least) {
     const std::vector<double> free = all_sizes();
-    const double reach = elements * *std::max_element(free.begin(), free.end());
-    const Grid grid(*this, reach);
+    double side = elements * *std::max_element(free.begin(), free.end());
+    for (std::size_t i = 0; i + 1 < count(); ++i) {
+      if (samples_[i].piece == samples_[i + 1].piece) {
+        side = std::max(side, geom::distance(samples_[i].at, samples_[i + 1].at));
+      }
+    }
+    const Grid grid(*this, side);
     std::vector<double> along(count(), std::numeric_limits<double>::infinity());
     std::vector<double> wanted = free;
     for (std::size_t i = 0; i < count(); ++i) {
@@ -158,7 +163,8 @@ class Samples {
         distance = std::min(distance, from_chord(samples_[i].at, samples_[j].at, samples_[j + 1].at));
       });
       for (const std::size_t j : near) along[j] = std::numeric_limits<double>::infinity();
-      wanted[i] = std::max(std::min(free[i], distance / elements), least);
+      constexpr double finest = 0.01;  // of the size elsewhere: where borders touch or cross the distance is nought
+      wanted[i] = std::max({std::min(free[i], distance / elements), finest * free[i], least});
     }
     for (std::size_t i = 0; i < count(); ++i) size(i) = wanted[i];
   }
@@ -308,17 +314,27 @@ std::vector<Profile> sizes_along(const Border& border, const std::vector<Piece>&
   return profiles;
 }
 
-std::vector<double> even_parameters(const EdgeInSpace& edge, const Profile& profile, std::size_t least) {
-  // Between two samples the size is linear in the way: the integral of 1 / h is a logarithm.
-  const auto sides_over = [](double way, double h0, double h1) {
-    const double ratio = (h1 - h0) / h0;
-    return std::abs(ratio) < 1e-6 ? way / (0.5 * (h0 + h1)) : way * std::log1p(ratio) / (h1 - h0);
-  };
+namespace {
+
+/// The integral of ds / h from the start to each sample: where the size is linear in the way, a logarithm.
+std::vector<double> sums_of(const Profile& profile) {
   std::vector<double> sum{0.0};
   for (std::size_t i = 0; i + 1 < profile.s.size(); ++i) {
-    sum.push_back(sum.back() +
-                  sides_over(profile.travelled[i + 1] - profile.travelled[i], profile.size[i], profile.size[i + 1]));
+    const double way = profile.travelled[i + 1] - profile.travelled[i];
+    const double h0 = profile.size[i], h1 = profile.size[i + 1];
+    const double ratio = (h1 - h0) / h0;
+    const double over = std::abs(ratio) < 1e-6 ? way / (0.5 * (h0 + h1)) : way * std::log1p(ratio) / (h1 - h0);
+    sum.push_back(sum.back() + over);
   }
+  return sum;
+}
+
+}  // namespace
+
+double sides_wanted(const Profile& profile) { return sums_of(profile).back(); }
+
+std::vector<double> even_parameters(const EdgeInSpace& edge, const Profile& profile, std::size_t least) {
+  const std::vector<double> sum = sums_of(profile);
   constexpr double slack = 1e-6;  // of a side: an exact fit stays one
   const auto count = std::max(least, static_cast<std::size_t>(std::max(1.0, std::ceil(sum.back() - slack))));
   const double from = edge.travelled(profile.s.front());

@@ -29,6 +29,9 @@ std::vector<Profile> sizes_along(const Border& border, const std::vector<Piece>&
                                  std::span<const trim::TrimmedSurface> surfaces, const SizeOptions& sizes,
                                  const std::vector<double>& largest);
 
+/// How many sides the sizes ask for: the integral of ds / h.
+double sides_wanted(const Profile& profile);
+
 /// Parameters of the ends of the sides, s0 and s1 among them: as few sides as the sizes allow, at least `least`.
 std::vector<double> even_parameters(const EdgeInSpace& edge, const Profile& profile, std::size_t least);
 

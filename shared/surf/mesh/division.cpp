@@ -27,15 +27,23 @@ SideEnds::SideEnds(Point3 p, Point3 q) : low{p.x, p.y, p.z}, high{q.x, q.y, q.z}
 namespace {
 
 Result<void> check_sizes(const SizeOptions& sizes) {
-  const auto refuse = [](const char* what, double value) {
-    return Error{ErrorCode::InvalidOption, fmt::format("{} and is {}", what, value)};
-  };
-  if (!(sizes.largest >= 0.0)) return refuse("the largest size must not be negative", sizes.largest);
-  if (!(sizes.turn > 0.0)) return refuse("the greatest turn of the normal must be positive", sizes.turn);
-  if (!(sizes.chord >= 0.0)) return refuse("the distance from the surface must not be negative", sizes.chord);
-  if (!(sizes.growth > 1.0)) return refuse("the growth must be above 1", sizes.growth);
-  if (!(sizes.narrow >= 0.0)) return refuse("the elements across narrow places must not be negative", sizes.narrow);
-  if (!(sizes.least >= 0.0)) return refuse("the least size must not be negative", sizes.least);
+  const auto refuse = [](std::string what) { return Error{ErrorCode::InvalidOption, std::move(what)}; };
+  if (!(sizes.largest >= 0.0)) {
+    return refuse(fmt::format("the largest size must not be negative and is {}", sizes.largest));
+  }
+  if (!(sizes.turn > 0.0)) {
+    return refuse(fmt::format("the greatest turn of the normal must be positive and is {}", sizes.turn));
+  }
+  if (!(sizes.chord >= 0.0)) {
+    return refuse(fmt::format("the distance from the surface must not be negative and is {}", sizes.chord));
+  }
+  if (!(sizes.growth > 1.0)) return refuse(fmt::format("the growth must be above 1 and is {}", sizes.growth));
+  if (!(sizes.narrow >= 0.0)) {
+    return refuse(fmt::format("the elements across narrow places must not be negative and are {}", sizes.narrow));
+  }
+  if (!(sizes.least >= 0.0)) {
+    return refuse(fmt::format("the least size must not be negative and is {}", sizes.least));
+  }
   return {};
 }
 
@@ -78,7 +86,7 @@ class Divider {
     DOBRA_TRY_VOID(count_cuts());
     parameters_.resize(pieces_.size());
     if (options_.kind == DivisionKind::Even) {
-      divide_evenly(largest);
+      DOBRA_TRY_VOID(divide_evenly(largest));
     } else {
       DOBRA_TRY_VOID(halve(largest, progress));
     }
@@ -104,13 +112,9 @@ class Divider {
     for (const SharedGroup& group : border_.groups) {
       for (const std::size_t e : group) {
         if (border_.edges[e].cuts.size() == border_.edges[group[0]].cuts.size()) continue;
-        const BorderEdge& edge = border_.edges[e];
-        const Point uv = edge.space.place(0.5);
-        const Point3 p = edge.space.at(0.5);
-        return Error{
-            ErrorCode::CannotMesh,
-            "two edges that are said to be one curve do not run beside each other: do not share them",
-            base::Place{.item = surfaces_[edge.face].name, .x = p.x, .y = p.y, .z = p.z, .u = uv.x, .v = uv.y}};
+        return Error{ErrorCode::CannotMesh,
+                     "two edges that are said to be one curve do not run beside each other: do not share them",
+                     place_on(border_.edges[e], 0.5)};
       }
     }
     return {};
@@ -118,16 +122,29 @@ class Divider {
 
   // ---- parameters of the pieces that are divided
 
-  void divide_evenly(const std::vector<double>& largest) {
+  Result<void> divide_evenly(const std::vector<double>& largest) {
     profiles_ = sizes_along(border_, pieces_, surfaces_, options_.sizes, largest);
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       if (!is_first(p)) continue;
-      divide_piece_evenly(p, closed(p) ? 3 : 1);
+      if (edge_of(p).point) {
+        parameters_[p] = {pieces_[p].s0, pieces_[p].s1};
+        continue;
+      }
+      DOBRA_TRY_VOID(not_too_many(p, sides_wanted(profiles_[p])));
+      parameters_[p] = even_parameters(edge_of(p).space, profiles_[p], closed(p) ? 3 : 1);
     }
+    return {};
   }
-  void divide_piece_evenly(std::size_t p, std::size_t least) {
-    parameters_[p] = edge_of(p).point ? std::vector{pieces_[p].s0, pieces_[p].s1}
-                                      : even_parameters(edge_of(p).space, profiles_[p], least);
+  [[nodiscard]] Result<void> not_too_many(std::size_t p, double sides) const {
+    if (sides <= static_cast<double>(options_.most_sides)) return {};
+    return Error{ErrorCode::TooManyElements,
+                 fmt::format("the sizes cut an edge into more than {} sides; raise them", options_.most_sides),
+                 place_on(edge_of(p), pieces_[p].s0)};
+  }
+  [[nodiscard]] base::Place place_on(const BorderEdge& edge, double s) const {
+    const Point uv = edge.space.place(s);
+    const Point3 at = edge.space.at(s);
+    return {.item = surfaces_[edge.face].name, .x = at.x, .y = at.y, .z = at.z, .u = uv.x, .v = uv.y};
   }
 
   Result<void> halve(std::vector<double> largest, const base::Progress& progress) {
@@ -144,6 +161,7 @@ class Divider {
         parameters_[p] = {s0, s1};
         continue;
       }
+      DOBRA_TRY_VOID(not_too_many(p, edge_of(p).space.length(s0, s1) / length[p]));
       const geom::DiscretiseOptions limits{.max_angle = base::Angle::from_degrees(options_.sizes.turn),
                                            .max_length = length[p]};
       DOBRA_TRY(std::vector<double> t, geom::discretise(edge_of(p).space.functions(s0, s1), limits));
@@ -242,12 +260,10 @@ class Divider {
       if (gap > worst) worst = gap, worst_s = own.s.back();
     }
     if (worst <= std::max(edge_of(p).tolerance, edge_of(piece.first).tolerance)) return;
-    const Point3 at = space.at(worst_s);
-    const Point uv = space.place(worst_s);
     division_.findings.push_back(
         {"gap_closed",
          fmt::format("two faces are {:.3g} m apart along the edge that they share; its nodes are on the first", worst),
-         base::Place{.item = surfaces_[edge_of(p).face].name, .x = at.x, .y = at.y, .z = at.z, .u = uv.x, .v = uv.y}});
+         place_on(edge_of(p), worst_s)});
   }
 
   // ---- faces

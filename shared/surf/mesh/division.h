@@ -32,6 +32,7 @@ struct DivisionOptions {
   /// Ends further apart than this part of the chart's diagonal do not meet, unless an edge's own tolerance in space
   /// says they do. What lies so near to a line is on it.
   double closing = 1e-6;
+  std::size_t most_sides = 5'000'000;  ///< Of a piece between corners; more end in TooManyElements.
 };
 
 /// The ends of a side by their coordinates, in order.

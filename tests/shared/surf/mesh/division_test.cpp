@@ -67,6 +67,17 @@ TEST(Division, RefusesSizesThatMeanNothing) {
   }
 }
 
+TEST(Division, RefusesSizesThatWouldNeverEnd) {
+  const TrimmedSurface face{.surface = *Surface::cylinder({}, 1.0, {{0, 0}, {1, 1}})};
+  for (const DivisionKind kind : {DivisionKind::Even, DivisionKind::Halving}) {
+    const auto result = divide({&face, 1}, with(1e-8, 15, kind));
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, base::ErrorCode::TooManyElements);
+    EXPECT_TRUE(result.error().place->u.has_value());
+  }
+  EXPECT_EQ(divide({&face, 1}, with(1, 1e-7)).error().code, base::ErrorCode::TooManyElements);
+}
+
 TEST(Division, RefusesEdgesThatAreSaidToBeOneCurveAndAreNot) {
   TrimmedSurface a{.surface = flat(10, 5), .loops = {polygon({{0, 0}, {10, 0}, {10, 5}, {0, 5}})}};
   TrimmedSurface b = a;

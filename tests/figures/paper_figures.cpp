@@ -1,0 +1,183 @@
+// Figures of paper_mesher.md and surface_border.md.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "shared/mesh/quality.h"
+#include "shared/surf/paper/paper_mesher.h"
+#include "tests/figures/figures.h"
+#include "tests/support/surface_stand_ins.h"
+
+namespace dobra::figures {
+namespace {
+
+using geom::Point;
+using geom::Point3;
+using surf::mesh::ChartInput;
+using surf::paper::ChartQuadtree;
+using surf::paper::PaperMesher;
+
+const scene::Axes no_axes{"", "", scene::AxisScale::Diagram};
+
+/// From the south-west, 30 degrees above the plane.
+Point from_south_west(Point3 p) {
+  return {(p.x - p.y) * std::sqrt(0.5), 0.9 * p.z + (p.x + p.y) * std::sqrt(1.0 / 8.0)};
+}
+
+surf::test::StandIn stand_in(const std::string& name) {
+  const auto all = surf::test::stand_ins();
+  return *std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+}
+
+base::Result<surf::mesh::Division> divided(const surf::test::StandIn& s, surf::mesh::DivisionKind kind) {
+  surf::mesh::DivisionOptions options;
+  options.kind = kind;
+  options.sizes.largest = s.largest;
+  options.sizes.turn = s.turn;
+  return surf::mesh::divide({&s.face, 1}, options);
+}
+
+/// Straight lines of the chart as they run on the surface.
+geom::Polyline on_surface(const surf::Surface& surface, Point a, Point b) {
+  std::vector<Point> points;
+  constexpr int parts = 4;
+  for (int i = 0; i <= parts; ++i) {
+    points.push_back(from_south_west(surface.at(geom::interpolate(a, b, static_cast<double>(i) / parts))));
+  }
+  return chain(std::move(points));
+}
+
+/// The triangles, what is farther from the eye first, coloured by alpha in space.
+scene::Layer triangles_in(const PaperMesher::View& view, const std::vector<Point>& points) {
+  std::vector<std::size_t> order(view.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto depth = [&](std::size_t t) {
+    double sum = 0.0;
+    for (const std::uint32_t n : view.triangles[t]) sum += view.points[n].x + view.points[n].y;
+    return sum;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+  scene::Mesh mesh{.values_at = scene::ValuesAt::Triangles};
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  std::vector<double> values;
+  for (const std::size_t t : order) {
+    const auto& c = view.triangles[t];
+    corners.push_back(c);
+    values.push_back(mesh::alpha_in_space(view.points[c[0]], view.points[c[1]], view.points[c[2]]));
+  }
+  mesh.points = points;
+  mesh.triangles = std::move(corners);
+  mesh.values = std::move(values);
+  mesh.scale = {"alpha", scene::ColorMapName::Quality, 0.0, 1.0};
+  return {{}, {}, stroke({55, 71, 79, 120}, 0.3), std::move(mesh), true, InLegend::No};
+}
+
+scene::Panel in_chart(std::string title, const PaperMesher::View& view) {
+  return panel(std::move(title), {triangles_in(view, view.places)}, 0.02, no_axes);
+}
+scene::Panel in_space(std::string title, const PaperMesher::View& view) {
+  std::vector<Point> points;
+  for (const Point3 p : view.points) points.push_back(from_south_west(p));
+  return panel(std::move(title), {triangles_in(view, points)}, 0.5, no_axes);
+}
+
+base::Result<PaperMesher> started(const surf::test::StandIn& s, const ChartInput& input) {
+  return PaperMesher::start(input, {.largest = s.largest, .turn = s.turn});
+}
+
+/// The surface of fig. 2 of the paper, by its stand-in, with the cells of its quadtree.
+base::Result<scene::Picture> paper_quadtree() {
+  const surf::test::StandIn s = stand_in("6a");
+  DOBRA_TRY(const surf::mesh::Division division, divided(s, surf::mesh::DivisionKind::Halving));
+  const ChartInput& input = division.faces[0];
+  DOBRA_TRY(const ChartQuadtree tree, ChartQuadtree::build(input, {.largest = s.largest, .turn = s.turn}));
+  std::vector<geom::Polyline> cells, bent;
+  for (const auto leaf : tree.leaves()) {
+    const geom::Box box = tree.box(leaf);
+    cells.push_back(outline(box));
+    const Point a = box.low, b{box.high.x, box.low.y}, c = box.high, d{box.low.x, box.high.y};
+    for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
+      bent.push_back(on_surface(input.surface, from, to));
+    }
+  }
+  std::vector<Point> nodes;
+  for (const Point3 p : input.at) nodes.push_back(from_south_west(p));
+  scene::Picture picture;
+  picture.panels.push_back(panel("on the surface",
+                                 {lines({}, stroke(grey, 0.5), std::move(bent)), markers({}, dots(blue, 3), nodes)},
+                                 0.5, no_axes));
+  picture.panels.push_back(panel(
+      "in the chart", {lines({}, stroke(grey, 0.6), std::move(cells)), markers({}, dots(blue, 3), input.chart.points)},
+      0.02, no_axes));
+  return picture;
+}
+
+base::Result<scene::Picture> paper_front() {
+  const surf::test::StandIn s = stand_in("6a");
+  DOBRA_TRY(const surf::mesh::Division division, divided(s, surf::mesh::DivisionKind::Halving));
+  DOBRA_TRY(PaperMesher mesher, started(s, division.faces[0]));
+  scene::Picture picture;
+  for (const std::uint32_t level : {1U, 2U, 4U, 7U}) {
+    while (mesher.next().stage == PaperMesher::Stage::Front && mesher.next().level < level) {
+      DOBRA_TRY_VOID(mesher.step(1));
+    }
+    const auto view = mesher.view();
+    scene::Panel made = in_chart("after " + std::to_string(level) + (level == 1 ? " level" : " levels"), view);
+    std::vector<geom::Polyline> front;
+    for (const auto& side : view.front)
+      front.push_back(chain({view.places[side.nodes[0]], view.places[side.nodes[1]]}));
+    scene::Layer sides = lines({}, stroke(blue, 1.5), std::move(front));
+    sides.key = "front";
+    made.layers.push_back(std::move(sides));
+    picture.panels.push_back(std::move(made));
+  }
+  return picture;
+}
+
+base::Result<scene::Picture> paper_smooth() {
+  const surf::test::StandIn s = stand_in("6a");
+  DOBRA_TRY(const surf::mesh::Division division, divided(s, surf::mesh::DivisionKind::Halving));
+  DOBRA_TRY(PaperMesher mesher,
+            PaperMesher::start(division.faces[0], {.largest = s.largest, .turn = s.turn, .passes = 5}));
+  while (mesher.next().stage == PaperMesher::Stage::Front) DOBRA_TRY_VOID(mesher.step(100));
+  const auto before = mesher.view();
+  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(1));
+  const auto after = mesher.view();
+  scene::Picture picture;
+  picture.panels.push_back(in_chart("before, in the chart", before));
+  picture.panels.push_back(in_chart("after five passes", after));
+  picture.panels.push_back(in_space("before, in space", before));
+  picture.panels.push_back(in_space("after five passes", after));
+  return picture;
+}
+
+base::Result<scene::Picture> surface_border() {
+  const surf::test::StandIn s = stand_in("8f");
+  scene::Picture picture;
+  for (const auto kind : {surf::mesh::DivisionKind::Halving, surf::mesh::DivisionKind::Even}) {
+    DOBRA_TRY(const surf::mesh::Division division, divided(s, kind));
+    const ChartInput& input = division.faces[0];
+    std::vector<geom::Polyline> sides;
+    std::vector<Point> nodes;
+    for (const auto& edge : input.chart.edges) {
+      sides.push_back(
+          chain({from_south_west(input.at[edge.nodes[0].index()]), from_south_west(input.at[edge.nodes[1].index()])}));
+    }
+    for (const Point3 p : input.at) nodes.push_back(from_south_west(p));
+    picture.panels.push_back(panel(
+        kind == surf::mesh::DivisionKind::Halving ? "halving" : "even",
+        {lines({}, stroke(ink, 1.0), std::move(sides)), markers({}, dots(red, 4), std::move(nodes))}, 0.5, no_axes));
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::vector<Figure> paper_figures() {
+  return {{"surface_border", surface_border},
+          {"paper_quadtree", paper_quadtree},
+          {"paper_front", paper_front},
+          {"paper_smooth", paper_smooth}};
+}
+
+}  // namespace dobra::figures
