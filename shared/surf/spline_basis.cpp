@@ -58,7 +58,8 @@ std::size_t SplineBasis::span_of(double t) const {
   const auto end = knots_.begin() + static_cast<std::ptrdiff_t>(count());
   // Where it is if the knots are even; else by halving.
   const double share = (t - low()) / (high() - low()) * static_cast<double>(end - begin);
-  auto above = begin + (share > 0.0 ? static_cast<std::ptrdiff_t>(std::min(share, static_cast<double>(end - begin - 1))) : 0);
+  auto above =
+      begin + (share > 0.0 ? static_cast<std::ptrdiff_t>(std::min(share, static_cast<double>(end - begin - 1))) : 0);
   constexpr int few = 3;
   int steps = 0;
   for (; steps < few && above != end && *above <= t; ++steps) ++above;
