@@ -244,7 +244,14 @@ base::Result<void> improve(delaunay::DelaunayKernel& kernel, Space& space, std::
     progress.report(static_cast<double>(round) / rounds, "smoothing");
     for (int pass = 0; pass < options.passes; ++pass) smoother.sweep();
     changed.clear();
-    kernel.legalise_near(smoother.moved(), changed);
+    if constexpr (Space::curved) {
+      std::vector<delaunay::DelaunayKernel::Vertex> moved(smoother.moved().begin(), smoother.moved().end());
+      std::sort(moved.begin(), moved.end());
+      moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+      kernel.legalise_near(moved, changed);
+    } else {
+      kernel.legalise_near(smoother.moved(), changed);
+    }
     smoother.forget_moved();
     for (const delaunay::DelaunayKernel::Vertex v : changed) smoother.wake(v);
   }

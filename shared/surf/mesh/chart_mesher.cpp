@@ -84,8 +84,8 @@ struct ChartMesher::State {
     // Nodes need not be quite where they belong before sides are flipped.
     dobra::mesh::front::SmoothOptions rough = options.smoothing;
     if (options.tidy.rounds > 0) rough.least_step *= 2.0;
-    DOBRA_TRY_VOID(
-        dobra::mesh::front::improve(domain.kernel, space, fixed, rough, options.rounds, progress.part(0.0, 0.5)));
+    DOBRA_TRY_VOID(dobra::mesh::front::improve(domain.kernel, space, fixed, rough, std::min(options.rounds, 2),
+                                               progress.part(0.0, 0.5)));
     if (options.tidy.rounds == 0) return {};
     DOBRA_TRY(const auto changed, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.5, 0.8)));
     constexpr std::uint8_t resting = 2;

@@ -20,9 +20,9 @@ struct ChartMeshOptions {
   SizeOptions sizes = {};
   dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
   dobra::mesh::front::SmoothOptions smoothing = {
-      .enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
-  int rounds = 3;                                                              ///< Of flips and smoothing.
-  TidyOptions tidy = {};                                                       ///< Between two of them.
+      .passes = 2, .enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
+  int rounds = 3;         ///< Of flips and smoothing, after it; two at most before.
+  TidyOptions tidy = {};  ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.

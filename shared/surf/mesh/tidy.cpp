@@ -17,7 +17,8 @@ using geom::Vector3;
 
 namespace {
 
-constexpr double poor = 0.9;  ///< Alpha below which a triangle counts twice, and more flips are tried.
+constexpr double hopeless = 0.25;  ///< Loss after a sweep from which the next ones do not bring it back.
+constexpr double poor = 0.9;       ///< Alpha below which a triangle counts twice, and more flips are tried.
 double alpha_of(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
   const Vector3 u = b - a, v = c - b, w = a - c;
   const Vector3 area = geom::cross(u, v);
@@ -132,10 +133,13 @@ class Tidier {
     gather({a, b, c, d});
     const Star now = star();
     kernel_.flip(e);
-    relax();
-    const Star then = star();
-    if (then.lost < now.lost - options_.least_gain && then.least >= std::min(now.least, options_.spared) &&
-        settle(now)) {
+    Star then;
+    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      relax();
+      then = star();
+      if (then.lost > now.lost + hopeless) break;
+    }
+    if (is_better(now, then) && settle(now)) {
       --degree_[a];
       --degree_[b];
       ++degree_[c];
@@ -195,25 +199,23 @@ class Tidier {
 
   /// Each node goes to the mean of the tops of equilateral triangles over the sides around it.
   void relax() {
-    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
-      for (const Vertex v : nodes_) {
-        const auto frame = space_.frame(v);
-        const geom::Point3 here = space_.at(v);
-        Vector3 sum;
-        double weights = 0.0;
-        const Half first = kernel_.half_of(v);
-        Half e = first;
-        do {
-          const geom::Point3 p = space_.at(kernel_.target(e)), q = space_.at(kernel_.apex(e));
-          const Vector3 base = q - p;
-          const double weight = 1.0 / dot(base, base);
-          const Vector3 top = geom::midpoint(p, q) - here + 0.5 * std::numbers::sqrt3 * space_.left_of(frame, base);
-          sum = sum + weight * top;
-          weights += weight;
-          e = kernel_.around(e);
-        } while (e != first);
-        space_.move(v, space_.moved(space_.place(v), sum / weights));
-      }
+    for (const Vertex v : nodes_) {
+      const auto frame = space_.frame(v);
+      const geom::Point3 here = space_.at(v);
+      Vector3 sum;
+      double weights = 0.0;
+      const Half first = kernel_.half_of(v);
+      Half e = first;
+      do {
+        const geom::Point3 p = space_.at(kernel_.target(e)), q = space_.at(kernel_.apex(e));
+        const Vector3 base = q - p;
+        const double weight = 1.0 / dot(base, base);
+        const Vector3 top = geom::midpoint(p, q) - here + 0.5 * std::numbers::sqrt3 * space_.left_of(frame, base);
+        sum = sum + weight * top;
+        weights += weight;
+        e = kernel_.around(e);
+      } while (e != first);
+      space_.move(v, space_.moved(space_.place(v), sum / weights));
     }
   }
 
@@ -229,7 +231,10 @@ class Tidier {
       const auto& v = kernel_.cell(c).vertex;
       if (!space_.turns_left(kernel_.point(v[0]), kernel_.point(v[1]), kernel_.point(v[2]))) return false;
     }
-    const Star then = star();
+    return is_better(before, star());
+  }
+
+  [[nodiscard]] bool is_better(const Star& before, const Star& then) const {
     return then.lost < before.lost - options_.least_gain && then.least >= std::min(before.least, options_.spared);
   }
 
