@@ -113,7 +113,7 @@ TEST_P(ChartMesherOnStandIns, SUR_f_MeshesAreAsGoodAsAsked) {
 }
 INSTANTIATE_TEST_SUITE_P(Each, ChartMesherOnStandIns,
                          testing::Values("6a", "6b", "7a", "7b", "7c", "8a", "8b", "8c", "8d", "8e", "8f"),
-                         [](const auto& info) { return std::string("Figure") + info.param; });
+                         [](const auto& each) { return std::string("Figure") + each.param; });
 
 TEST(ChartMesher, SUR_f_MeshesOfManyTrianglesAreAsGoodAsAsked) {
   if (std::getenv("DOBRA_SURFACES_LARGE") == nullptr) GTEST_SKIP() << "DOBRA_SURFACES_LARGE=1 asks for them";
@@ -140,8 +140,8 @@ TEST(ChartMesher, SUR_g_GivenPointsComeFirstAndGivenSidesAreThere) {
   std::map<std::pair<std::size_t, std::size_t>, int> sides;
   for (const auto& edge : dobra::mesh::all_edges(made.face.chart)) ++sides[{edge[0].index(), edge[1].index()}];
   for (const auto& edge : input.chart.edges) {
-    const auto ends = std::minmax(edge.nodes[0].index(), edge.nodes[1].index());
-    EXPECT_EQ(sides.count({ends.first, ends.second}), 1U);
+    const auto a = edge.nodes[0].index(), b = edge.nodes[1].index();
+    EXPECT_EQ(sides.count({std::min(a, b), std::max(a, b)}), 1U);
   }
   const auto n = static_cast<double>(made.face.chart.boundary_sets.at("hole").size());
   EXPECT_NEAR(made.quality.area, 100.0 - 0.5 * n * 2.25 * std::sin(2.0 * std::numbers::pi / n), 1e-9);
