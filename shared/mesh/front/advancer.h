@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shared/mesh/front/advancing_front.h"
+#include "shared/mesh/front/front_rules.h"
 #include "shared/mesh/front/node_grid.h"
 #include "shared/mesh/front/size_queue.h"
 
@@ -21,23 +22,6 @@
 //    node over it if there is room; else leave it. Then close the corners that came about.
 
 namespace dobra::mesh::front {
-
-namespace rules {
-
-inline constexpr double least_gap = 0.65;
-inline constexpr double corner_cosine = 0.2;   ///< Corners up to 78 degrees are closed.
-inline constexpr double least_alpha = 0.72;    ///< Of a triangle that closes a corner.
-inline constexpr double widest_corner = -0.5;  ///< Corners up to 120 degrees, where there is no room for a node.
-inline constexpr double least_joint = 0.6;     ///< Least alpha of a triangle there.
-inline constexpr double most_radius =
-    0.72;  ///< Its circumradius over the size: below least_spacing, so that no node gets inside.
-inline constexpr double empty_radius = 0.62;  ///< A smaller circle has no room for a node that keeps its distance.
-inline constexpr double most_growth = 1.2;    ///< From a side to the node over it; steeper places are left to the gaps.
-inline constexpr double most_shrink = 1.28;
-inline constexpr double shortest_seed = 0.6;  ///< Length of a first side over the size.
-inline constexpr double longest_seed = 1.4;
-
-}  // namespace rules
 
 template <class Space>
 class Advancer final : public FillEngine {
@@ -69,6 +53,7 @@ class Advancer final : public FillEngine {
   void add_nodes();
   void add_walls();
   void start();
+  bool halve_corner(SideId s);
   [[nodiscard]] Point at(Kernel::Vertex v) const { return space_.at(v); }
   void enqueue(SideId s);
   void attach(SideId s, Kernel::Half half);
@@ -223,6 +208,45 @@ void Advancer<Space>::start() {
       if (ratio > rules::shortest_seed && ratio < rules::longest_seed) enqueue(s);
     }
   }
+  if constexpr (Space::curved) {
+    const auto given = static_cast<SideId>(front_.sides.size());
+    const auto is_seed = [&](SideId s) { return front_.sides[s].from != Side::free && front_.sides[s].mark != 0; };
+    for (SideId s = 0; s < given; ++s) {
+      if (!is_seed(s) || !is_seed(front_.sides[s].next)) continue;
+      const Kernel::Vertex a = front_.sides[s].from;
+      const Kernel::Vertex b = front_.to(front_.sides[s]);
+      const Kernel::Vertex c = front_.to(front_.sides[front_.sides[s].next]);
+      if (a != c && safe_[a] != 0 && safe_[b] != 0 && safe_[c] != 0) halve_corner(s);
+    }
+  }
+}
+
+/// A right angle of the border between s and the side after it gets two triangles instead of one: they are better, and
+/// leave the sides beside them room for two more each.
+template <class Space>
+bool Advancer<Space>::halve_corner(SideId s) {
+  const Kernel::Vertex a = front_.sides[s].from;
+  const Kernel::Vertex b = front_.to(front_.sides[s]);
+  const Kernel::Vertex c = front_.to(front_.sides[front_.sides[s].next]);
+  const Vector u = at(a) - at(b);
+  const Vector w = at(c) - at(b);
+  const double left = std::sqrt(squared(u)), right = std::sqrt(squared(w));
+  const double cosine = geom::dot(u, w) / (left * right);
+  if (std::abs(cosine) > rules::right_corner || std::max(left, right) > rules::even_corner * std::min(left, right))
+    return false;
+  if (space_.cross(space_.frame(b), w, u) <= 0.0) return false;
+  const double leg = 0.5 * (left + right);
+  Place top = space_.moved(space_.place(b), leg * geom::normalised(u / left + w / right));
+  if (!space_.ground(top) || !space_.turns_left(kernel_.point(a), kernel_.point(b), top.chart()) ||
+      !space_.turns_left(kernel_.point(b), kernel_.point(c), top.chart()))
+    return false;
+  const double size = sampler_.at(top.chart());
+  if (look(top, options_.least_spacing * size, leg, a, b, c).any) return false;
+  const SideId n = raise(s, add_node(top, size));
+  if (close(n) == none) return true;
+  enqueue(s);
+  enqueue(n);
+  return true;
 }
 
 // ---- the linked front ----
@@ -362,8 +386,8 @@ void Advancer<Space>::close_corners(SideId s) {
 
 /// The nearest node to q within `clear`, or a wall; a, b and c are not counted. Unsafe nodes count as walls.
 template <class Space>
-typename Advancer<Space>::Found Advancer<Space>::look(const Place& q, double clear, double size, Kernel::Vertex a, Kernel::Vertex b,
-                               Kernel::Vertex c) const {
+typename Advancer<Space>::Found Advancer<Space>::look(const Place& q, double clear, double size, Kernel::Vertex a,
+                                                      Kernel::Vertex b, Kernel::Vertex c) const {
   Found found;
   double nearest = clear * clear;
   const double wall = options_.least_wall * options_.least_wall * size * size;
@@ -551,7 +575,8 @@ base::Result<void> Advancer<Space>::step(std::size_t count, const base::Progress
     if (side.stamp != entry.stamp || side.from == Side::free) continue;
     front_.generation = side.generation;
     generation_ = static_cast<std::uint16_t>(std::min(side.generation + 1, 0xffff));
-    if (may_close(entry.side, rules::corner_cosine, rules::least_alpha) || may_close(side.previous, rules::corner_cosine, rules::least_alpha)) {
+    if (may_close(entry.side, rules::corner_cosine, rules::least_alpha) ||
+        may_close(side.previous, rules::corner_cosine, rules::least_alpha)) {
       close_corners(entry.side);
       continue;
     }

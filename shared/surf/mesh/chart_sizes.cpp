@@ -156,15 +156,15 @@ double size_by_shape(const Jet& jet, const SizeOptions& options) {
   const double most = std::max(std::abs(bent->least), std::abs(bent->greatest));
   if (!(most > 0.0)) return none;
   double size = 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / most;
-  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be a third longer than the size.
-  constexpr double longer = 1.3;
+  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
+  constexpr double longer = 1.45;
   if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / most) / longer);
   return size;
 }
 
 Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
-                               std::span<const dobra::mesh::delaunay::SizeRequest> requests,
-                               const SizeOptions& options, const base::Progress& progress) {
+                               std::span<const dobra::mesh::delaunay::SizeRequest> requests, const SizeOptions& options,
+                               const base::Progress& progress) {
   DOBRA_TRY_VOID(validate(requests, options));
   geom::Box box;
   std::vector<SizedEdge> edges;

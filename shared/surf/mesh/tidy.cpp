@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace dobra::surf::mesh {
@@ -16,7 +17,8 @@ using geom::Vector3;
 
 namespace {
 
-constexpr double poor = 0.9;  ///< Alpha below which a triangle counts twice, and more flips are tried.
+constexpr double hopeless = 0.25;  ///< Loss after a sweep from which the next ones do not bring it back.
+constexpr double poor = 0.9;       ///< Alpha below which a triangle counts twice, and more flips are tried.
 double alpha_of(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
   const Vector3 u = b - a, v = c - b, w = a - c;
   const Vector3 area = geom::cross(u, v);
@@ -52,17 +54,26 @@ class Tidier {
         const double angle = std::acos(std::clamp(dot(u, w) / std::sqrt(dot(u, u) * dot(w, w)), -1.0, 1.0));
         ideal_[v] += static_cast<float>(angle * 3.0 / std::numbers::pi);
       }
+      const auto& v = kernel.cell(c).vertex;
+      if (alpha_of(space.at(v[0]), space.at(v[1]), space.at(v[2])) < poor)
+        todo_.insert(todo_.end(), v.begin(), v.end());
+    }
+    for (Vertex v = 0; v < kernel.vertex_count(); ++v) {
+      if (odd(v, 0) >= 0.5F) todo_.push_back(v);
     }
   }
 
-  std::size_t sweep() {
-    std::size_t kept = 0;
-    for (Vertex v = 0; v < degree_.size(); ++v) {
+  /// One round over what there is to do; what is round the flips that it kept is to be done next.
+  void sweep() {
+    std::sort(todo_.begin(), todo_.end());
+    todo_.erase(std::unique(todo_.begin(), todo_.end()), todo_.end());
+    const std::vector<Vertex> now = std::exchange(todo_, {});
+    for (const Vertex v : now) {
       if (kernel_.half_of(v) == Kernel::none || (odd(v, 0) < 0.5F && !is_poor(v))) continue;
-      if (improve_round(v)) ++kept;
+      if (improve_round(v)) todo_.insert(todo_.end(), nodes_.begin(), nodes_.end());
     }
-    return kept;
   }
+  [[nodiscard]] const std::vector<Vertex>& todo() const { return todo_; }
 
  private:
   struct Star {
@@ -122,9 +133,13 @@ class Tidier {
     gather({a, b, c, d});
     const Star now = star();
     kernel_.flip(e);
-    relax();
-    const Star then = star();
-    if (then.lost < now.lost - options_.least_gain && then.least >= std::min(now.least, options_.spared) && settle(now)) {
+    Star then;
+    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      relax();
+      then = star();
+      if (then.lost > now.lost + hopeless) break;
+    }
+    if (is_better(now, then) && settle(now)) {
       --degree_[a];
       --degree_[b];
       ++degree_[c];
@@ -184,26 +199,23 @@ class Tidier {
 
   /// Each node goes to the mean of the tops of equilateral triangles over the sides around it.
   void relax() {
-    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
-      for (const Vertex v : nodes_) {
-        const auto frame = space_.frame(v);
-        const geom::Point3 here = space_.at(v);
-        Vector3 sum;
-        double weights = 0.0;
-        const Half first = kernel_.half_of(v);
-        Half e = first;
-        do {
-          const geom::Point3 p = space_.at(kernel_.target(e)), q = space_.at(kernel_.apex(e));
-          const Vector3 base = q - p;
-          const double weight = 1.0 / dot(base, base);
-          const Vector3 top =
-              geom::midpoint(p, q) - here + 0.5 * std::numbers::sqrt3 * space_.left_of(frame, base);
-          sum = sum + weight * top;
-          weights += weight;
-          e = kernel_.around(e);
-        } while (e != first);
-        space_.move(v, space_.moved(space_.place(v), sum / weights));
-      }
+    for (const Vertex v : nodes_) {
+      const auto frame = space_.frame(v);
+      const geom::Point3 here = space_.at(v);
+      Vector3 sum;
+      double weights = 0.0;
+      const Half first = kernel_.half_of(v);
+      Half e = first;
+      do {
+        const geom::Point3 p = space_.at(kernel_.target(e)), q = space_.at(kernel_.apex(e));
+        const Vector3 base = q - p;
+        const double weight = 1.0 / dot(base, base);
+        const Vector3 top = geom::midpoint(p, q) - here + 0.5 * std::numbers::sqrt3 * space_.left_of(frame, base);
+        sum = sum + weight * top;
+        weights += weight;
+        e = kernel_.around(e);
+      } while (e != first);
+      space_.move(v, space_.moved(space_.place(v), sum / weights));
     }
   }
 
@@ -219,7 +231,10 @@ class Tidier {
       const auto& v = kernel_.cell(c).vertex;
       if (!space_.turns_left(kernel_.point(v[0]), kernel_.point(v[1]), kernel_.point(v[2]))) return false;
     }
-    const Star then = star();
+    return is_better(before, star());
+  }
+
+  [[nodiscard]] bool is_better(const Star& before, const Star& then) const {
     return then.lost < before.lost - options_.least_gain && then.least >= std::min(before.least, options_.spared);
   }
 
@@ -235,6 +250,7 @@ class Tidier {
   std::vector<float> ideal_;           ///< How many there should be.
   std::vector<std::uint32_t> vertex_seen_, cell_seen_;
   std::uint32_t visit_ = 0;
+  std::vector<Vertex> todo_;  ///< To be looked at in the next round.
   std::vector<Half> sides_;
   std::vector<Vertex> nodes_;
   std::vector<Cell> cells_;
@@ -243,17 +259,18 @@ class Tidier {
 
 }  // namespace
 
-base::Result<std::size_t> tidy(Kernel& kernel, ChartSpace& space, std::span<const std::uint8_t> fixed,
-                               const TidyOptions& options, const base::Progress& progress) {
+base::Result<std::vector<Vertex>> tidy(Kernel& kernel, ChartSpace& space, std::span<const std::uint8_t> fixed,
+                                       const TidyOptions& options, const base::Progress& progress) {
   Tidier tidier(kernel, space, fixed, options);
-  std::size_t kept = 0;
+  std::vector<Vertex> changed;
   for (int round = 0; round < options.rounds; ++round) {
     DOBRA_TRY_VOID(progress.check());
-    const std::size_t now = tidier.sweep();
-    kept += now;
-    if (now == 0) break;
+    progress.report(static_cast<double>(round) / options.rounds, "nodes with six neighbours");
+    tidier.sweep();
+    if (tidier.todo().empty()) break;
+    changed.insert(changed.end(), tidier.todo().begin(), tidier.todo().end());
   }
-  return kept;
+  return changed;
 }
 
 }  // namespace dobra::surf::mesh
