@@ -27,13 +27,11 @@ std::uint32_t asked(const char* name, std::uint32_t otherwise) {
   return said != nullptr ? static_cast<std::uint32_t>(std::strtoul(said, nullptr, 10)) : otherwise;
 }
 
-/// 4 sqrt(3) times the area by the sum of squares of the sides would be another measure; here 2 r / R, 1 if
-/// equilateral.
+/// The greatest alpha, 4 sqrt(3) area / (sum of squares of the sides), of a triangle with an angle: both of its sides
+/// are one length.
 double best_alpha_at(double corner) {
-  // The best triangle with an angle is isosceles: r / R = 4 sin(a / 2) sin(b / 2)^2 with b = (pi - a) / 2.
   if (corner >= std::numbers::pi / 3.0) return 1.0;
-  const double b = 0.5 * (std::numbers::pi - corner);
-  return 8.0 * std::sin(0.5 * corner) * std::sin(0.5 * b) * std::sin(0.5 * b);
+  return std::numbers::sqrt3 * std::sin(corner) / (2.0 - std::cos(corner));
 }
 
 /// The least angle in space between edges that follow each other round the face, seen from inside.
