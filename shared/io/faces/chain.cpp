@@ -226,8 +226,7 @@ Loop joined(const Bench& bench, Loop loop) {
   }
   if (gaps > 0)
     bench.report.say("gap_closed",
-                     fmt::format("{} gap{} between edges of a loop closed, the widest of {:.6g} m", gaps,
-                                 gaps == 1 ? "" : "s", widest),
+                     fmt::format("gaps between edges of a loop closed: {}, the widest of {:.6g} m", gaps, widest),
                      where, bench.at(*where));
   return made;
 }

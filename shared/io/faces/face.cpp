@@ -373,13 +373,19 @@ class FaceImport {
   std::optional<Refusal> check_crossing() {
     const auto crossing = crossing_of(*surface_, loops_, options_.gap_part * diagonal_);
     if (!crossing) return std::nullopt;
-    const std::string which = crossing->first == crossing->second
-                                  ? fmt::format("{} crosses itself", crossing->first)
-                                  : fmt::format("{} and {} cross", crossing->first, crossing->second);
     const Point3 at = surface_->at(crossing->uv);
-    if (!crossing->at_end)
-      return Refusal{"face_crossing", which + " in the chart of the surface; mend the face", crossing->uv, at};
-    report_.say("edges_cross", which + " in the chart of the surface, by less than what gaps may be", crossing->uv, at);
+    const auto& [first, second, uv, at_end] = *crossing;
+    const bool itself = first == second;
+    if (!at_end)
+      return Refusal{"face_crossing",
+                     itself ? fmt::format("{} crosses itself in the chart of the surface; mend the face", first)
+                            : fmt::format("{} and {} cross in the chart of the surface; mend the face", first, second),
+                     uv, at};
+    report_.say("edges_cross",
+                itself ? fmt::format("{} crosses itself in the chart of the surface, by less than gaps may be", first)
+                       : fmt::format("{} and {} cross in the chart of the surface, by less than gaps may be", first,
+                                     second),
+                uv, at);
     return std::nullopt;
   }
 
