@@ -12,7 +12,7 @@
 #include "shared/gui/actions/registry.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/vtk_widget.h"
 #include "tests/shared/gui/fake_program.h"
 #include "tests/support/space_picture.h"
@@ -20,9 +20,9 @@
 namespace dobra::test {
 namespace {
 
-using gui::ItemAt;
-using gui::MarkerDrag;
-using gui::SpaceWidget;
+using gui::stage::ItemAt;
+using gui::stage::MarkerDrag;
+using gui::stage::SpaceWidget;
 using scene::space::StandardView;
 
 /// The waves, with hills in space and the chart of the hills as a panel of the plane.
