@@ -32,7 +32,7 @@
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"

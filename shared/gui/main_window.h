@@ -32,10 +32,12 @@ class DrawBar;
 class LayerTree;
 class ParameterForm;
 class Results;
-class SpaceWidget;
 class VtkWidget;
 namespace importing {
 class TakenInBar;
+}
+namespace stage {
+class SpaceWidget;
 }
 namespace view {
 class ExaggerationBox;
@@ -100,7 +102,7 @@ class MainWindow : public QMainWindow {
   /// The step that the player would show: the one selected, else the last that can be watched; 0 if there is none.
   [[nodiscard]] std::size_t watched_part() const;
   [[nodiscard]] VtkWidget& view() { return *view_; }
-  [[nodiscard]] SpaceWidget& space() { return *space_; }
+  [[nodiscard]] stage::SpaceWidget& space() { return *space_; }
   [[nodiscard]] Canvas& canvas() { return *canvas_; }
   [[nodiscard]] DrawBar& draw_bar() { return *draw_bar_; }
   [[nodiscard]] actions::Registry& actions() { return actions_; }
@@ -157,7 +159,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::optional<scene::space::SpacePicture> space_shown(scene::Picture& listed) const;
   void show_space(const std::optional<scene::space::SpacePicture>& picture);
   void show_views();
-  void point_at(const ItemAt& item);
+  void point_at(const stage::ItemAt& item);
   void ask_save_space_picture();
   [[nodiscard]] scene::Picture picture_shown() const;
   /// Whether the program has an operation that can be watched at work.
@@ -229,7 +231,7 @@ class MainWindow : public QMainWindow {
   actions::Registry actions_;
   actions::Palette* palette_ = nullptr;
   VtkWidget* view_ = nullptr;
-  SpaceWidget* space_ = nullptr;
+  stage::SpaceWidget* space_ = nullptr;
   QSplitter* views_ = nullptr;
   enum class Views { Both, Plane, Space } looked_at_ = Views::Both;  ///< Where there is a picture in space.
   Canvas* canvas_ = nullptr;

@@ -22,7 +22,7 @@
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 

@@ -26,7 +26,7 @@
 #include "shared/gui/mending/page.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/gui/welcome/page.h"

@@ -8,7 +8,7 @@
 #include "shared/gui/labels/status_line.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/space_file.h"
@@ -16,19 +16,20 @@
 namespace dobra::gui {
 
 void MainWindow::make_space_view() {
-  space_ = new SpaceWidget(views_);
+  space_ = new stage::SpaceWidget(views_);
   space_->hide();
   space_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
   space_->set_draggable(part_.space.draggable);
   views_->setChildrenCollapsible(false);
-  connect(space_, &SpaceWidget::cursor_moved, this, [this](const QString& where) { status_->show_place(where); });
-  connect(space_, &SpaceWidget::clicked, this, [this](const std::optional<scene::space::SpacePick>& pick) {
+  connect(space_, &stage::SpaceWidget::cursor_moved, this,
+          [this](const QString& where) { status_->show_place(where); });
+  connect(space_, &stage::SpaceWidget::clicked, this, [this](const std::optional<scene::space::SpacePick>& pick) {
     view_->mark(pick ? std::optional(pick->pick) : std::nullopt);
     canvas_->say(pick ? space_->words_of(*pick) : text("Nothing here."));
     if (pick) point_at({pick->pick, pick->place, pick->chart});
   });
-  connect(space_, &SpaceWidget::dragged, this,
-          [this](MarkerDrag phase, const scene::space::SpacePick& marker, const geom::Point3& to) {
+  connect(space_, &stage::SpaceWidget::dragged, this,
+          [this](stage::MarkerDrag phase, const scene::space::SpacePick& marker, const geom::Point3& to) {
             if (part_.space.dragged)
               part_.space.dragged({session_, *canvas_}, phase, {marker.pick, marker.place, marker.chart}, to);
           });
@@ -41,7 +42,7 @@ void MainWindow::make_space_view() {
           });
 }
 
-void MainWindow::point_at(const ItemAt& item) {
+void MainWindow::point_at(const stage::ItemAt& item) {
   if (part_.space.clicked) part_.space.clicked({session_, *canvas_}, item);
 }
 
@@ -56,7 +57,7 @@ std::optional<scene::space::SpacePicture> MainWindow::space_shown(scene::Picture
   panel.title = text("In space").toStdString();
   for (scene::space::Layer& layer : picture.layers) {
     for (const scene::Layer& known : panel.layers) {
-      if (known.key == layer.key) layer.visible = known.visible;
+      if (known.key == scene::space::known_key(layer.key)) layer.visible = known.visible;
     }
   }
   listed.panels.push_back(std::move(panel));
@@ -66,10 +67,12 @@ std::optional<scene::space::SpacePicture> MainWindow::space_shown(scene::Picture
 void MainWindow::show_space(const std::optional<scene::space::SpacePicture>& picture) {
   const bool is_new = space_->picture().layers.empty() || fit_next_;
   if (picture)
-    space_->set_picture(*picture, is_new ? SpaceWidget::Looking::AtAll : SpaceWidget::Looking::WhereItDid);
+    space_->set_picture(*picture,
+                        is_new ? stage::SpaceWidget::Looking::AtAll : stage::SpaceWidget::Looking::WhereItDid);
   else if (!space_->picture().layers.empty())
-    space_->set_picture({}, SpaceWidget::Looking::AtAll);
-  if (!picture) view_->mark(std::nullopt);
+    space_->set_picture({}, stage::SpaceWidget::Looking::AtAll);
+  view_->mark(std::nullopt);  // numbers of items are those of one picture
+  space_->mark(std::nullopt);
   show_views();
 }
 
@@ -77,7 +80,8 @@ void MainWindow::show_views() {
   const bool space = has_space() && looked_at_ != Views::Plane;
   const bool before = !space_->isHidden();
   space_->setVisible(space);
-  view_->setVisible(!space || looked_at_ == Views::Both);
+  const bool plane = !has_space() || session_.outcome()->picture != nullptr;
+  view_->setVisible(!space || (plane && looked_at_ == Views::Both));
   if (space && !before && looked_at_ == Views::Both) {
     const int half = std::max(views_->width() / 2, 1);
     views_->setSizes({half, half});

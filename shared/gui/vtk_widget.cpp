@@ -38,7 +38,7 @@ geom::Point page_point(QPointF pixel) { return {pixel.x(), pixel.y()}; }
 
 }  // namespace
 
-VtkWidget::VtkWidget(QWidget* parent) : VtkFrames(parent) {
+VtkWidget::VtkWidget(QWidget* parent) : stage::VtkFrames(parent) {
   setMouseTracking(true);
   setAccessibleName(text("Picture"));
   setAccessibleDescription(text("Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans."));

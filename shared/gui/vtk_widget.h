@@ -7,10 +7,10 @@
 #include <memory>
 #include <optional>
 
+#include "shared/gui/stage/vtk_frames.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/view/history.h"
 #include "shared/gui/view/settings.h"
-#include "shared/gui/vtk_frames.h"
 #include "shared/scene/pick.h"
 #include "shared/scene/view.h"
 
@@ -23,7 +23,7 @@ namespace dobra::gui {
 /// What a new picture does to the views.
 enum class Looking { AtAll, WhereItDid };
 
-class VtkWidget : public VtkFrames {
+class VtkWidget : public stage::VtkFrames {
   Q_OBJECT
 
  public:

@@ -130,12 +130,12 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Home:
       return fit();
     default:
-      VtkFrames::keyPressEvent(event);
+      stage::VtkFrames::keyPressEvent(event);
   }
 }
 
 void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Space) return VtkFrames::keyReleaseEvent(event);
+  if (event->key() != Qt::Key_Space) return stage::VtkFrames::keyReleaseEvent(event);
   if (event->isAutoRepeat()) return;
   hand_ = Hand::Away;
   show_cursor();
@@ -144,7 +144,7 @@ void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
 void VtkWidget::focusOutEvent(QFocusEvent* event) {
   hand_ = Hand::Away;
   show_cursor();
-  VtkFrames::focusOutEvent(event);
+  stage::VtkFrames::focusOutEvent(event);
 }
 
 /// The view moves over the model, so the model moves the other way. Each panel pans by a part of its own.

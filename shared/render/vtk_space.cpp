@@ -245,9 +245,13 @@ class VtkSpace::Impl {
           left -= size;
           drawn.ticket->data = make_data(drawn.layer, origin_);
         } else {
-          later_([ticket = drawn.ticket, layer = drawn.layer, origin = origin_]() -> std::function<void()> {
+          later_([waiting = std::weak_ptr(drawn.ticket), layer = drawn.layer,
+                  origin = origin_]() -> std::function<void()> {
+            if (waiting.expired()) return [] {};  // another layer is there by now
             auto made = std::make_shared<SpaceData>(make_data(layer, origin));
-            return [ticket, made] { ticket->data = std::move(*made); };
+            return [waiting, made] {
+              if (const auto ticket = waiting.lock()) ticket->data = std::move(*made);
+            };
           });
         }
       }
@@ -411,7 +415,7 @@ void VtkSpace::set_exaggeration(double exaggeration) {
 
 void VtkSpace::set_layer_visible(std::string_view key, bool visible) {
   for (space::Layer& layer : impl_->picture_.layers) {
-    if (layer.key == key) layer.visible = visible;
+    if (space::known_key(layer.key) == key) layer.visible = visible;
   }
   impl_->drop();
   impl_->arrange();

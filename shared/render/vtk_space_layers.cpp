@@ -5,6 +5,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -180,6 +181,17 @@ vtkSmartPointer<vtkActor> actor_of(const SpaceData::Part& part, const scene::Col
   return actor;
 }
 
+/// VTK turns normals to where the camera stands; rays of oblique projections come from beside it.
+void face_viewer(vtkActor& actor) {
+  actor.GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Normal::Impl", true,
+      "//VTK::Normal::Impl\n"
+      "  if (dot(normalVCVSOutput, toViewer) < 0.0) { normalVCVSOutput = -normalVCVSOutput; }\n",
+      false);
+  const float ahead[3] = {0.0F, 0.0F, 1.0F};
+  actor.GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("toViewer", ahead);
+}
+
 std::vector<vtkSmartPointer<vtkActor>> face_actors(const std::vector<SpaceData::Part>& parts, const space::Layer& layer,
                                                    const space::Light& light) {
   const auto& surface = std::get<space::Surface>(layer.content);
@@ -196,6 +208,7 @@ std::vector<vtkSmartPointer<vtkActor>> face_actors(const std::vector<SpaceData::
     property.SetAmbient(light.ambient);
     property.SetDiffuse(1.0 - light.ambient);
     property.SetSpecular(0.0);
+    face_viewer(*made.back());
     vtkMapper& mapper = *made.back()->GetMapper();
     if (table != nullptr) {
       mapper.ScalarVisibilityOn();
@@ -285,6 +298,14 @@ SpaceActors make_actors(const space::Layer& layer, const SpaceData& data, Point3
   if (is_surface) {
     made.full = face_actors(data.faces, layer, light);
     made.thinned = data.thinned.empty() ? made.full : face_actors(data.thinned, layer, light);
+    made.on_view.emplace_back([faces = made.full, thin = made.thinned](const space::Sheet& sheet, double) {
+      const geom::Vector3 ray = space::ray_to_viewer(sheet.frame.camera);
+      const float own[3] = {static_cast<float>(ray.x), static_cast<float>(ray.y), static_cast<float>(ray.z)};
+      for (const auto* list : {&faces, &thin}) {
+        for (const auto& face : *list)
+          face->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("toViewer", own);
+      }
+    });
     std::vector<vtkSmartPointer<vtkActor>> edges;
     for (const SpaceData::Part& part : data.edges) edges.push_back(add(part));
     if (!edges.empty()) {

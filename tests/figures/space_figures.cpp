@@ -12,22 +12,22 @@ namespace {
 
 using scene::space::StandardView;
 
-/// The chart of a surface in n x n cells.
-scene::space::Surface cells_of(const surf::Surface& surface, std::uint32_t n) {
+/// The chart of a surface in across x up cells.
+scene::space::Surface cells_of(const surf::Surface& surface, std::uint32_t across, std::uint32_t up) {
   std::vector<geom::Point3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const geom::Box& chart = surface.chart();
-  for (std::uint32_t j = 0; j <= n; ++j) {
-    for (std::uint32_t i = 0; i <= n; ++i) {
-      points.push_back(surface.at(
-          {std::lerp(chart.low.x, chart.high.x, 1.0 * i / n), std::lerp(chart.low.y, chart.high.y, 1.0 * j / n)}));
+  for (std::uint32_t j = 0; j <= up; ++j) {
+    for (std::uint32_t i = 0; i <= across; ++i) {
+      points.push_back(surface.at({std::lerp(chart.low.x, chart.high.x, 1.0 * i / across),
+                                   std::lerp(chart.low.y, chart.high.y, 1.0 * j / up)}));
     }
   }
-  for (std::uint32_t j = 0; j < n; ++j) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t at = j * (n + 1) + i;
-      triangles.push_back({at, at + 1, at + n + 2});
-      triangles.push_back({at, at + n + 2, at + n + 1});
+  for (std::uint32_t j = 0; j < up; ++j) {
+    for (std::uint32_t i = 0; i < across; ++i) {
+      const std::uint32_t at = j * (across + 1) + i;
+      triangles.push_back({at, at + 1, at + across + 2});
+      triangles.push_back({at, at + across + 2, at + across + 1});
     }
   }
   scene::space::Surface made;
@@ -45,7 +45,7 @@ base::Result<void> write_projection(const std::filesystem::path& path) {
   layer.style.line = {60, 70, 80};
   layer.style.line_width = 0.3;
   layer.style.fill = scene::Color{150, 190, 215};
-  layer.content = cells_of(hill, 20);
+  layer.content = cells_of(hill, 12, 8);
   scene::space::SpacePicture picture;
   picture.layers = {layer};
   std::vector<render::NamedView> views;

@@ -40,6 +40,12 @@ std::optional<Projected> divided(const Column4& c) {
 
 }  // namespace
 
+Vector3 ray_to_viewer(const Camera& camera) {
+  if (camera.projection != Projection::Oblique) return {0.0, 0.0, 1.0};
+  const double angle = camera.depth_angle.radians();
+  return {camera.depth_factor * std::cos(angle), camera.depth_factor * std::sin(angle), 1.0};
+}
+
 Camera turned(const Turns& turns) {
   const double a = turns.about_vertical.radians();
   const double b = turns.about_horizontal.radians();

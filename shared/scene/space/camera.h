@@ -31,6 +31,10 @@ inline constexpr double usual_distance = 2.5;
 /// From the target to the viewer.
 inline geom::Vector3 towards_viewer(const Camera& camera) { return geom::cross(camera.right, camera.up); }
 
+/// To the right, upwards and towards the viewer, along the rays to the viewer where they are parallel; not a unit
+/// vector. Of a perspective that of the middle.
+geom::Vector3 ray_to_viewer(const Camera& camera);
+
 /// Front looks north, Top down, Right west. Isometric, Dimetric and Perspective look down from the right of the front.
 enum class StandardView { Front, Top, Right, Isometric, Dimetric, Cavalier, Cabinet, Perspective };
 

@@ -201,7 +201,7 @@ class Hanger {
     if (made_.style.line_width > 0.0) {
       for (Layer& outline : with(Lines{std::move(outlines), std::move(ids)})) layers.push_back(std::move(outline));
       if (layers.size() > 1) {
-        layers.back().key += ".outline";
+        layers.back().key += outline_end;
         layers.back().in_legend = InLegend::No;
       }
     }

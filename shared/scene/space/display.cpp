@@ -22,6 +22,8 @@ namespace {
 using geom::Point;
 using geom::Point3;
 
+constexpr double shortest_line = 0.01;  ///< Points: smaller than any device shows.
+
 /// A corner before the division, with the value that is drawn there.
 struct Corner {
   Column4 at{};
@@ -138,6 +140,7 @@ class Display {
   /// @return where the next one begins in the pattern.
   double add_line(const SeenLine& seen, const std::vector<double>& dashes, double along) {
     const double length = geom::distance(seen.from.at, seen.to.at);
+    if (length < shortest_line) return along;
     if (dashes.empty()) {
       add_pieces(seen, 0.0, length, length);
       return 0.0;
@@ -282,7 +285,7 @@ class Display {
           continue;
         }
         const std::optional<SeenLine> seen = seen_line(sheet_, content.points[ends.first], content.points[ends.second]);
-        if (!seen) {
+        if (!seen || geom::distance(seen->from.at, seen->to.at) < shortest_line) {
           edge->second = none;
           continue;
         }

@@ -219,11 +219,30 @@ class Maker {
     names.add(sheet_.page.to_world(beside(middle, size, tick_length + 2.5 * tick_gap + widest)), title);
   }
 
-  /// Where the axes point, in the lower left corner.
-  void add_corner(Panel& panel, std::vector<Mark>& lines) const {
+  /// Where the axes begin that say directions: in a corner that the picture leaves free, else in the lower left one if
+  /// the plot is large. A view that is on its way keeps them there.
+  [[nodiscard]] std::optional<Point> corner() const {
     const geom::Box& plot = sheet_.plot;
-    if (plot.width() < 4.0 * corner_room || plot.height() < 4.0 * corner_room) return;
-    const Point from{plot.low.x + corner_room, plot.high.y - corner_room};
+    const geom::Box around{{plot.low.x + corner_room, plot.low.y + corner_room},
+                           {plot.high.x - corner_room, plot.high.y - corner_room}};
+    const Point usual{around.low.x, around.high.y};
+    const bool large = plot.width() > 8.0 * corner_room && plot.height() > 6.0 * corner_room;
+    const bool small = plot.width() < 3.0 * corner_room || plot.height() < 3.0 * corner_room;
+    if (small || look_.view) return small ? std::nullopt : std::optional(usual);
+    const geom::Box seen = projected(frame_, shown_);
+    geom::Box taken;
+    taken.add(sheet_.page.to_page(seen.low));
+    taken.add(sheet_.page.to_page(seen.high));
+    for (const Point at : {usual, around.low, Point{around.high.x, around.low.y}, around.high}) {
+      if (!geom::Box{at, at}.grown(corner_room).overlaps(taken.grown(14.0))) return at;
+    }
+    return large ? std::optional(usual) : std::nullopt;
+  }
+
+  /// Where the axes point, in a corner.
+  void add_corner(Panel& panel, std::vector<Mark>& lines) const {
+    const std::optional<Point> from = corner();
+    if (!from) return;
     Camera parallel = look_.camera;
     if (parallel.projection == Projection::Perspective) parallel.projection = Projection::Parallel;
     parallel.target = Point3{};
@@ -236,8 +255,8 @@ class Maker {
       const Vector by{seen[0], -seen[1]};
       const double length = geom::length(by);
       if (length < least_corner_axis) continue;
-      const Point to = from + corner_axis * by;
-      lines.emplace_back(LineMark{from, to, axis_colors[i], 1.5, Dash::Solid});
+      const Point to = *from + corner_axis * by;
+      lines.emplace_back(LineMark{*from, to, axis_colors[i], 1.5, Dash::Solid});
       LabelLayer name(axis_colors[i], options_.text_size - 1.0);
       const std::string text = titles[i]->substr(0, titles[i]->find(" ["));
       if (text.size() <= 3) name.add(sheet_.page.to_world(to + (8.0 / length) * by), text);

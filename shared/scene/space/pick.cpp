@@ -160,7 +160,7 @@ Picker::Picker(const SpacePicture& picture) : layers_(unrolled(picture)), extent
 
 void Picker::set_visible(std::string_view key, bool visible) {
   for (Layer& layer : layers_) {
-    if (layer.key == key) layer.visible = visible;
+    if (known_key(layer.key) == key) layer.visible = visible;
   }
 }
 
@@ -195,7 +195,7 @@ std::optional<SpacePick> Picker::pick(const Sheet& sheet, geom::Point page, doub
     if (near.distance > tolerance || (best_is_marker && !marker)) return;
     if (best_is_marker == marker && best && near.distance > best_distance) return;
     if (geom::dot(near.place - ray.from, ray.along) > farthest) return;  // hidden
-    best = SpacePick{{layer.key, id}, item, near.place, {}};
+    best = SpacePick{{std::string(known_key(layer.key)), id}, item, near.place, {}};
     best_distance = near.distance;
     best_is_marker = marker;
   };
@@ -231,7 +231,7 @@ std::vector<Layer> highlight(const SpacePicture& picture, const scene::Pick& pic
     marked.push_back(std::move(layer));
   };
   for (const Layer& layer : unrolled(picture)) {
-    if (layer.key != pick.layer) continue;
+    if (known_key(layer.key) != pick.layer) continue;
     std::vector<std::vector<Point3>> lines;
     if (const auto* surface = std::get_if<Surface>(&layer.content)) {
       std::vector<std::array<std::uint32_t, 3>> chosen;

@@ -98,7 +98,7 @@ Picture described(const SpacePicture& picture) {
     Described described;
     described.layer.style = layer.style;
     std::visit(described, layer.content);
-    if (!described.something) continue;
+    if (!described.something || layer.key != known_key(layer.key)) continue;
     described.layer.key = layer.key;
     described.layer.title = layer.title;
     described.layer.visible = layer.visible;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -132,5 +133,13 @@ std::vector<Layer> unrolled(const SpacePicture& picture);
 Picture described(const SpacePicture& picture);
 
 inline constexpr const char* panel_key = "space";
+
+/// Areas of a curtain are a surface of the layer's key and lines of that key with this behind it: one layer to the
+/// user.
+inline constexpr std::string_view outline_end = ".outline";
+/// The key of the layer that the user knows.
+constexpr std::string_view known_key(std::string_view layer) {
+  return layer.ends_with(outline_end) ? layer.substr(0, layer.size() - outline_end.size()) : layer;
+}
 
 }  // namespace dobra::scene::space

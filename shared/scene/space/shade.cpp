@@ -15,7 +15,7 @@ geom::Vector3 normal_to_viewer(const Frame& frame, const std::array<geom::Point3
   if (!(size > 0.0) || !std::isfinite(size)) return {0.0, 0.0, 1.0};
   const Camera& camera = frame.camera;
   const geom::Vector3 seen{geom::dot(n, camera.right), geom::dot(n, camera.up), geom::dot(n, towards_viewer(camera))};
-  return (seen.z < 0.0 ? -1.0 / size : 1.0 / size) * seen;
+  return (geom::dot(seen, ray_to_viewer(camera)) < 0.0 ? -1.0 / size : 1.0 / size) * seen;
 }
 
 Color shaded(const Color& color, geom::Vector3 normal, const Light& light) {

@@ -12,7 +12,7 @@
 #include "shared/gui/actions/registry.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/vtk_widget.h"
 #include "tests/shared/gui/fake_program.h"
 #include "tests/support/space_picture.h"
@@ -20,9 +20,9 @@
 namespace dobra::test {
 namespace {
 
-using gui::ItemAt;
-using gui::MarkerDrag;
-using gui::SpaceWidget;
+using gui::stage::ItemAt;
+using gui::stage::MarkerDrag;
+using gui::stage::SpaceWidget;
 using scene::space::StandardView;
 
 /// The waves, with hills in space and the chart of the hills as a panel of the plane.
@@ -316,43 +316,68 @@ TEST_F(SpaceView, ItsPictureIsWrittenAsItIsLookedAt) {
 }
 
 /// DOBRA_SPACE_TRIANGLES=1000000 turns so many and says how many frames a second there were.
-TEST_F(SpaceView, ManyTrianglesTurnQuickly) {
+TEST(SpaceWidgetAlone, ManyTrianglesTurnQuickly) {
   const char* wish = std::getenv("DOBRA_SPACE_TRIANGLES");
   const double wanted = wish != nullptr ? std::atof(wish) : 100000.0;
-  make(static_cast<std::size_t>(std::sqrt(0.5 * wanted)));
-  ASSERT_TRUE(window->actions().trigger("view.space.alone"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return space().is_settled(); }, 60000));
-  const QPointF middle = space().plot().center();
-  QTest::mousePress(&space(), Qt::LeftButton, {}, middle.toPoint());
+  SpaceWidget space;
+  space.resize(1280, 800);
+  space.set_picture(space_picture(static_cast<std::size_t>(std::sqrt(0.5 * wanted))), SpaceWidget::Looking::AtAll);
+  space.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&space, 10000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return space.is_ready() && space.is_settled(); }, 90000));
+  const auto move = [&](QPointF at) {
+    QMouseEvent event(QEvent::MouseMove, at, space.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&space, &event);
+  };
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  };
+  const QPointF middle = space.plot().center();
+  QTest::mousePress(&space, Qt::LeftButton, {}, middle.toPoint());
   int frames = 0;
-  const auto counter = QObject::connect(&space(), &QOpenGLWidget::frameSwapped, [&] { ++frames; });
-  const auto begin = std::chrono::steady_clock::now();
+  const auto counter = QObject::connect(&space, &QOpenGLWidget::frameSwapped, [&] { ++frames; });
+  const auto begin = Clock::now();
   double longest = 0.0;
-  const int moves = wish != nullptr ? 60 : 10;
-  for (int i = 0; i < moves; ++i) {
-    const auto before = std::chrono::steady_clock::now();
-    move(space(), Qt::LeftButton, middle + QPointF(6.0 * i, 2.0 * i));
-    space().repaint();
+  const auto before = space.look().camera;
+  for (int i = 0; i < (wish != nullptr ? 60 : 10); ++i) {
+    const auto one = Clock::now();
+    move(middle + QPointF(6.0 * i, 2.0 * i));
+    space.repaint();
     QCoreApplication::processEvents();
-    longest = std::max(longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+    longest = std::max(longest, seconds_since(one));
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = seconds_since(begin);
   QObject::disconnect(counter);
-  QTest::mouseRelease(&space(), Qt::LeftButton, {}, middle.toPoint());
+  QTest::mouseRelease(&space, Qt::LeftButton, {}, middle.toPoint());
   EXPECT_GT(frames, 0);
-  if (wish == nullptr) return;
+  EXPECT_NE(space.look().camera, before);
   // What the window's thread is kept from other things until all is drawn again.
   double gap = 0.0;
-  auto last = std::chrono::steady_clock::now();
-  while (!space().is_settled()) {
+  for (auto last = Clock::now(); !space.is_settled(); last = Clock::now()) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
-    const auto now = std::chrono::steady_clock::now();
-    gap = std::max(gap, std::chrono::duration<double>(now - last).count());
-    last = now;
+    gap = std::max(gap, seconds_since(last));
   }
+  if (wish == nullptr) return;
   std::printf(
       "%g triangles at %dx%d: %.1f frames a second while turning, longest %.0f ms; longest gap at rest %.0f ms\n",
-      wanted, space().width(), space().height(), frames / seconds, 1000.0 * longest, 1000.0 * gap);
+      wanted, space.width(), space.height(), frames / seconds, 1000.0 * longest, 1000.0 * gap);
+}
+
+TEST(SpaceWidgetAlone, AClickOnManyTrianglesIsAnsweredOnceTheyCanBeFound) {
+  SpaceWidget space;
+  space.resize(500, 400);
+  space.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&space, 10000));
+  std::vector<std::optional<scene::space::SpacePick>> answers;
+  QObject::connect(&space, &SpaceWidget::clicked, [&](const auto& pick) { answers.push_back(pick); });
+  space.set_picture(space_picture(160), SpaceWidget::Looking::AtAll);
+  space.look_from(StandardView::Top);
+  QTest::mouseClick(&space, Qt::LeftButton, {}, space.pixel_of({1200.0, 600.0, 0.0})->toPoint());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !answers.empty(); }, 20000));
+  ASSERT_TRUE(answers.front());
+  EXPECT_EQ(answers.front()->pick.layer, "top");
+  EXPECT_NEAR(answers.front()->place.x, 1200.0, 30.0);
 }
 
 }  // namespace

@@ -175,6 +175,22 @@ TEST(Display, ACurtainHangsItsSectionOnItsTrace) {
   EXPECT_NEAR(area, 45.0, 1e-9);
 }
 
+TEST(Display, AnAreaWithAnOutlineIsOneLayerToTheUser) {
+  scene::Layer unit;
+  unit.key = "unit";
+  unit.title = "Unit";
+  unit.style.fill = Color{10, 20, 30};
+  unit.content = Regions{{{{{{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}}, true}}}}, {7}};
+  Curtain curtain{{{0.0, 0.0}, {5.0, 0.0}}, 0.0, {}};
+  curtain.section.layers = {unit};
+  SpacePicture picture;
+  picture.layers.push_back({.key = "section", .content = curtain});
+  EXPECT_EQ(unrolled(picture).size(), 2U);
+  const Picture plane = described(picture);
+  ASSERT_EQ(plane.panels.front().layers.size(), 1U);
+  EXPECT_EQ(plane.panels.front().layers.front().key, "section/unit");
+}
+
 TEST(Display, ACurtainWithoutATraceShowsNothing) {
   Layer layer;
   layer.key = "section";

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "shared/gui/frames/bench.h"
-#include "shared/gui/space_gesture.h"
+#include "shared/gui/stage/space_gesture.h"
+#include "shared/gui/stage/vtk_frames.h"
 #include "shared/gui/theme/colors.h"
-#include "shared/gui/vtk_frames.h"
 #include "shared/scene/space/layout.h"
 #include "shared/scene/space/pick.h"
 
@@ -19,7 +19,7 @@ namespace dobra::render {
 class VtkSpace;
 }
 
-namespace dobra::gui {
+namespace dobra::gui::stage {
 
 class SpaceWidget : public VtkFrames {
   Q_OBJECT
@@ -47,7 +47,7 @@ class SpaceWidget : public VtkFrames {
   void pan(QPointF by);
   void zoom(double factor, QPointF at);
 
-  /// What is at a pixel. The first answer for a picture of many triangles waits for what finds them.
+  /// What is at a pixel. Nothing as long as what finds it in a picture of many triangles is being made.
   [[nodiscard]] std::optional<scene::space::SpacePick> pick_at(QPointF pixel);
   /// Marks an item, here or in the plane; nothing: no item is marked.
   void mark(const std::optional<scene::Pick>& pick);
@@ -68,7 +68,7 @@ class SpaceWidget : public VtkFrames {
   /// Nothing: where there is nothing.
   void clicked(const std::optional<dobra::scene::space::SpacePick>& pick);
   /// A marker under way, in the plane of the screen through it.
-  void dragged(dobra::gui::MarkerDrag phase, const dobra::scene::space::SpacePick& marker,
+  void dragged(dobra::gui::stage::MarkerDrag phase, const dobra::scene::space::SpacePick& marker,
                const dobra::geom::Point3& to);
   /// Other points stand in other pixels, or another picture is shown.
   void view_changed();
@@ -98,6 +98,8 @@ class SpaceWidget : public VtkFrames {
   void look_moved();
   void show_cursor();
   void tell_cursor(QPointF pixel);
+  /// Tells what is there, as soon as that can be told.
+  void click(QPointF pixel);
   void drag_marker(MarkerDrag phase, QPointF pixel);
   void end_gesture();
 
@@ -110,6 +112,7 @@ class SpaceWidget : public VtkFrames {
   std::vector<std::string> draggable_;
   frames::Bench bench_;
   std::shared_ptr<scene::space::Picker> picker_;  ///< Null while it is being made.
+  std::optional<QPointF> waiting_click_;
   Gesture gesture_ = Gesture::None;
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF pressed_, last_;
@@ -118,4 +121,4 @@ class SpaceWidget : public VtkFrames {
   bool hand_ = false;  ///< Space is held.
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::stage

@@ -1,4 +1,4 @@
-#include "shared/gui/space_widget.h"
+#include "shared/gui/stage/space_widget.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "shared/canvas/entry.h"
-#include "shared/gui/text.h"
+#include "shared/gui/words/words.h"
 #include "shared/render/vtk_space.h"
 
-namespace dobra::gui {
+namespace dobra::gui::stage {
 
 namespace {
 
@@ -39,7 +39,9 @@ SpaceWidget::SpaceWidget(QWidget* parent) : VtkFrames(parent) {
            "tells what is in the middle."));
   setMinimumSize(240, 200);
   show_cursor();
-  connect(&bench_, &frames::Bench::arrived, this, [this] { show_cursor(); });
+  connect(&bench_, &frames::Bench::arrived, this, [this] {
+    if (const auto pixel = std::exchange(waiting_click_, std::nullopt)) click(*pixel);
+  });
 }
 
 SpaceWidget::~SpaceWidget() {
@@ -69,6 +71,7 @@ void SpaceWidget::set_picture(space::SpacePicture picture, Looking looking) {
 
 void SpaceWidget::make_picker() {
   picker_ = nullptr;
+  waiting_click_.reset();
   bench_.clear();
   bench_.post([this, picture = picture_]() -> std::function<void()> {
     auto made = std::make_shared<space::Picker>(picture);
@@ -118,7 +121,7 @@ void SpaceWidget::set_exaggeration(double exaggeration) {
 
 void SpaceWidget::set_layer_visible(const std::string& key, bool visible) {
   for (space::Layer& layer : picture_.layers) {
-    if (layer.key == key) layer.visible = visible;
+    if (space::known_key(layer.key) == key) layer.visible = visible;
   }
   if (picker_) picker_->set_visible(key, visible);
   if (space_ == nullptr) return;
@@ -177,14 +180,16 @@ void SpaceWidget::zoom(double factor, QPointF at) {
 
 std::optional<space::SpacePick> SpaceWidget::pick_at(QPointF pixel) {
   if (space_ == nullptr || !plot().contains(pixel)) return std::nullopt;
-  if (!picker_) {
+  if (!picker_ && space_->cost() <= thinned_from) {
     picker_ = std::make_shared<space::Picker>(picture_);
     bench_.clear();
   }
+  if (!picker_) return std::nullopt;
   return picker_->pick(space_->layout().sheet, point_of(pixel), found_within);
 }
 
 void SpaceWidget::mark(const std::optional<scene::Pick>& pick) {
+  if (!pick && !marked_) return;
   marked_ = pick;
   show_marks();
 }
@@ -274,8 +279,15 @@ void SpaceWidget::mouseReleaseEvent(QMouseEvent* event) {
   const Gesture gesture = gesture_;
   if (gesture == Gesture::Marker) drag_marker(MarkerDrag::Ends, event->position());
   end_gesture();
-  if (gesture != Gesture::Press) return;
-  const auto found = pick_at(event->position());
+  if (gesture == Gesture::Press) click(event->position());
+}
+
+void SpaceWidget::click(QPointF pixel) {
+  const auto found = pick_at(pixel);
+  if (!picker_) {
+    waiting_click_ = pixel;
+    return;
+  }
   mark(found ? std::optional(found->pick) : std::nullopt);
   emit clicked(found);
 }
@@ -363,12 +375,8 @@ void SpaceWidget::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Home:
       return fit();
     case Qt::Key_Return:
-    case Qt::Key_Enter: {
-      const auto found = pick_at(middle);
-      mark(found ? std::optional(found->pick) : std::nullopt);
-      emit clicked(found);
-      return;
-    }
+    case Qt::Key_Enter:
+      return click(middle);
     default:
       VtkFrames::keyPressEvent(event);
   }
@@ -387,4 +395,4 @@ void SpaceWidget::focusOutEvent(QFocusEvent* event) {
   VtkFrames::focusOutEvent(event);
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::stage

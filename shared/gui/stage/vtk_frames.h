@@ -14,7 +14,7 @@
 
 class vtkRenderWindow;
 
-namespace dobra::gui {
+namespace dobra::gui::stage {
 
 class VtkFrames : public QOpenGLWidget {
   Q_OBJECT
@@ -97,4 +97,4 @@ class VtkFrames : public QOpenGLWidget {
   QTimer rest_;     ///< As long as it runs the view moves, and is drawn without smoothing.
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::stage

@@ -1,7 +1,7 @@
 // What was tried (see docs/architecture.md, facts about the platform): Debian's VTK-Qt library is built for Qt 5, so a
 // QOpenGLWidget owns a vtkGenericOpenGLRenderWindow that draws into the widget's framebuffer. Pages are in
 // device-independent pixels, just as Qt's mouse positions; only the size of the render window is in device pixels.
-#include "shared/gui/vtk_frames.h"
+#include "shared/gui/stage/vtk_frames.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dobra::gui {
+namespace dobra::gui::stage {
 
 namespace {
 
@@ -283,4 +283,4 @@ void VtkFrames::end_parts() {
   update();
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::stage

@@ -7,7 +7,7 @@
 #include "shared/geom/point3.h"
 #include "shared/scene/pick.h"
 
-namespace dobra::gui {
+namespace dobra::gui::stage {
 
 /// An item that was pointed at, with its place in whichever has one: in space, in the parameter plane of its surface.
 struct ItemAt {
@@ -20,4 +20,4 @@ struct ItemAt {
 /// A marker on its way. Escape takes it back: it ends where it was.
 enum class MarkerDrag { Begins, Moves, Ends, IsTakenBack };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::stage
