@@ -85,8 +85,8 @@ class DrawnChart {
   double u_ = 1.0, v_ = 1.0;
 };
 
-constexpr scene::Color crack_red{198, 40, 40};
-constexpr scene::Color mesh_line{55, 71, 79, 150};
+constexpr scene::Color chart_crack_red{198, 40, 40};
+constexpr scene::Color chart_mesh_line{55, 71, 79, 150};
 constexpr int samples_an_edge = 96;
 
 geom::Polyline drawn(const surf::trim::ChartEdge& edge, const DrawnChart& chart) {
@@ -112,7 +112,7 @@ void add_lines(const surf::trim::TrimmedSurface& face, const DrawnChart& chart, 
   };
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, std::move(borders));
   add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, std::move(inner));
-  add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8}, std::move(cracks));
+  add("cracks", translated("Cracks"), {.line = chart_crack_red, .line_width = 1.8}, std::move(cracks));
 }
 
 scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, const DrawnChart& chart) {
@@ -129,7 +129,7 @@ scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, co
   content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
   return {"mesh",
           translated("Mesh"),
-          {.line = mesh_line, .line_width = values.size() > 20000 ? 0.1 : 0.35},
+          {.line = chart_mesh_line, .line_width = values.size() > 20000 ? 0.1 : 0.35},
           std::move(content),
           true,
           scene::InLegend::No};

@@ -15,15 +15,13 @@ using meshing::MeshParams;
 namespace {
 
 Result<void> check(const MeshParams& params) {
-  const auto refused = [](const char* what) {
-    return Error{ErrorCode::NotSupported, fmt::format("{}, not of surfaces", what)};
-  };
+  const auto refused = [](const char* what) { return Error{ErrorCode::NotSupported, what}; };
   if (params.engine == meshing::EngineChoice::Delaunay)
     return Error{ErrorCode::NotSupported,
                  "engine = \"delaunay\" meshes plane domains only: on surfaces give \"front\" or \"paper\""};
-  if (!params.background.empty()) return refused("a background mesh is of plane domains");
-  if (params.rosettes == meshing::UseRosettes::Yes) return refused("rosettes are of plane domains");
-  if (params.stop_after > 0) return refused("`stop_after` is of plane domains");
+  if (!params.background.empty()) return refused("a background mesh is of plane domains, not of surfaces");
+  if (params.rosettes == meshing::UseRosettes::Yes) return refused("rosettes are of plane domains, not of surfaces");
+  if (params.stop_after > 0) return refused("`stop_after` is of plane domains, not of surfaces");
   return {};
 }
 

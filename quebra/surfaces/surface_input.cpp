@@ -38,9 +38,9 @@ bool speaks_of(const std::string& message, const std::string& key) {
 }
 
 /// Makes the faces; each step has the line of the table that it is about.
-class Maker {
+class SurfaceMaker {
  public:
-  Maker(const SurfaceInput& input, const scenario::Table& table, const scenario::UnitSystem& units)
+  SurfaceMaker(const SurfaceInput& input, const scenario::Table& table, const scenario::UnitSystem& units)
       : input_(input), table_(table), units_(units) {}
 
   Result<Surfaces> run() {
@@ -222,7 +222,7 @@ class Maker {
 
 Result<Surfaces> make_surfaces(const SurfaceInput& input, const scenario::Table& table,
                                const scenario::UnitSystem& units) {
-  return Maker(input, table, units).run();
+  return SurfaceMaker(input, table, units).run();
 }
 
 }  // namespace quebra::surfaces
