@@ -26,6 +26,7 @@ std::vector<Figure> fault_figures();
 std::vector<Figure> mesh_figures();
 std::vector<Figure> quality_figures();
 std::vector<Figure> surf_figures();
+std::vector<Figure> trim_figures();
 
 /// What each stage of the general offset engine makes of one base (offset_stages.cpp).
 base::Result<scene::Picture> offset_stages();

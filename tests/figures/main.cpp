@@ -42,7 +42,7 @@ int failures(const std::string& name, const base::Result<void>& written) {
 int write_all(const Folder& folder, const std::string& ending) {
   int failed = 0;
   for (const auto& family : {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(),
-                             mesh_figures(), quality_figures(), surf_figures()}) {
+                             mesh_figures(), quality_figures(), surf_figures(), trim_figures()}) {
     for (const Figure& figure : family) failed += failures(figure.name, write_figure(figure, folder, ending));
   }
   const Folder examples = "resources/examples";

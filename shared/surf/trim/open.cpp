@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
-#include "shared/geom/segment.h"
 #include "shared/surf/trim/chart_curves.h"
+#include "shared/surf/trim/rings.h"
 
 namespace dobra::surf::trim {
 
@@ -18,72 +17,6 @@ using geom::Box;
 using geom::Point;
 
 namespace {
-
-/// Points along an edge, its last one left out.
-void add_points(const ChartEdge& edge, std::vector<Point>& points) {
-  std::vector<double> at{edge.from};
-  for (const double t : edge.curve.breaks()) {
-    if (t > std::min(edge.from, edge.to) && t < std::max(edge.from, edge.to)) at.push_back(t);
-  }
-  at.push_back(edge.to);
-  if (edge.from < edge.to) {
-    std::sort(at.begin(), at.end());
-  } else {
-    std::sort(at.begin(), at.end(), std::greater<>());
-  }
-  constexpr int count = 24;
-  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-    for (int i = 0; i < count; ++i) points.push_back(edge.at(std::lerp(at[k], at[k + 1], 1.0 * i / count)));
-  }
-}
-
-std::vector<std::vector<Point>> rings_of(const TrimmedSurface& face) {
-  std::vector<std::vector<Point>> rings;
-  for (const ChartLoop& loop : face.loops) {
-    rings.emplace_back();
-    for (const ChartEdge& edge : loop.edges) add_points(edge, rings.back());
-  }
-  return rings;
-}
-
-double area_of(const std::vector<Point>& ring) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    twice += cross(ring[i] - ring.front(), ring[(i + 1) % ring.size()] - ring.front());
-  return 0.5 * twice;
-}
-
-/// Where a line of constant v meets rings, by u.
-std::vector<double> meets(const std::vector<std::vector<Point>>& rings, double v) {
-  std::vector<double> at;
-  for (const std::vector<Point>& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point p = ring[i], q = ring[(i + 1) % ring.size()];
-      if ((p.y <= v) != (q.y <= v)) at.push_back(p.x + (v - p.y) / (q.y - p.y) * (q.x - p.x));
-    }
-  }
-  std::sort(at.begin(), at.end());
-  return at;
-}
-
-/// A point well inside: the middle of the longest way through it of many.
-Point inner_point(const TrimmedSurface& face) {
-  const std::vector<std::vector<Point>> rings = rings_of(face);
-  Box box;
-  for (const std::vector<Point>& ring : rings) box.add(geom::box_of(ring));
-  Point best = box.centre();
-  double longest = -1.0;
-  constexpr int lines = 31;
-  for (int i = 0; i < lines; ++i) {
-    const double v = std::lerp(box.low.y, box.high.y, (i + 0.4871) / lines);
-    const std::vector<double> at = meets(rings, v);
-    for (std::size_t k = 0; k + 1 < at.size(); k += 2) {
-      const double way = at[k + 1] - at[k];
-      if (way > longest) longest = way, best = {std::midpoint(at[k], at[k + 1]), v};
-    }
-  }
-  return best;
-}
 
 bool on_side(const Box& chart, Side side, Point uv) {
   switch (side) {
@@ -236,7 +169,9 @@ base::Result<Recognised> recognised_again(const TrimmedSurface& face, std::optio
   }
   for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
   for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
-  return recognise(face.surface, lines, numbers, options);
+  RecogniseOptions nameless = options;
+  nameless.name_sides = false;
+  return recognise(face.surface, lines, numbers, nameless);
 }
 
 }  // namespace

@@ -68,18 +68,18 @@ class Recogniser {
     made_->options = options;
   }
 
-  base::Result<Recognised> run(std::span<const TrimLine> lines) {
+  base::Result<Analysed> run(std::span<const TrimLine> lines) {
     Recognised::State& s = *made_;
     DOBRA_TRY(Strands strands, strands_of(s.surface, lines, s.options));
     s.arcs = std::move(strands.arcs);
-    DOBRA_TRY_VOID(cut(s.surface, s.arcs, {.same = s.options.same}, s.options.cuts));
+    DOBRA_TRY(std::vector<Meeting> meetings, cut(s.surface, s.arcs, {.same = s.options.same}, s.options.cuts));
     DOBRA_TRY(s.faces, faces_of(s.surface, s.arcs, s.options.chord));
     DOBRA_TRY_VOID(every_ring_encloses(lines));
     describe_arcs(lines.size());
-    const auto pairs = seam_pairs(s.surface, s.arcs);
+    auto pairs = seam_pairs(s.surface, s.arcs);
     find_parts(pairs);
-    number_edges(pairs);
-    return Recognised(made_, std::move(strands.findings));
+    number_seams(pairs);
+    return Analysed{made_, std::move(strands.findings), std::move(meetings), std::move(pairs)};
   }
 
  private:
@@ -194,8 +194,7 @@ class Recogniser {
     });
   }
 
-  /// Both sides of a seam, and lines between two faces.
-  void number_edges(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+  void number_seams(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
     Recognised::State& s = *made_;
     for (const auto& [low, high] : pairs) {
       ChartEdge &a = s.edges[low], &b = s.edges[high];
@@ -204,27 +203,38 @@ class Recogniser {
       b.shared = a.shared;
       b.against = a.against;  // both sides of the chart run the same way
     }
-    const Subdivision& sub = s.faces.subdivision;
-    std::vector<std::uint8_t> between(s.edges.size(), 0);
-    for (const EdgeId e : sub.edges()) {
-      const HalfEdgeId h = Subdivision::half_edge(e);
-      const int left = s.parts[sub.face(h).index()], right = s.parts[sub.face(Subdivision::twin(h)).index()];
-      if (left >= 0 && right >= 0 && left != right) between[s.faces.chords[h.index()].arc] = 1;
-    }
-    for (std::size_t a = 0; a < s.edges.size(); ++a) {
-      if (between[a] != 0 && !s.edges[a].shared) s.edges[a].shared = numbers_.fresh();
-    }
   }
 
   std::shared_ptr<Recognised::State> made_;
   SharedNumbers& numbers_;
 };
 
+/// Lines between two faces.
+void number_between(Recognised::State& s, SharedNumbers& numbers) {
+  const Subdivision& sub = s.faces.subdivision;
+  std::vector<std::uint8_t> between(s.edges.size(), 0);
+  for (const EdgeId e : sub.edges()) {
+    const HalfEdgeId h = Subdivision::half_edge(e);
+    const int left = s.parts[sub.face(h).index()], right = s.parts[sub.face(Subdivision::twin(h)).index()];
+    if (left >= 0 && right >= 0 && left != right) between[s.faces.chords[h.index()].arc] = 1;
+  }
+  for (std::size_t a = 0; a < s.edges.size(); ++a) {
+    if (between[a] != 0 && !s.edges[a].shared) s.edges[a].shared = numbers.fresh();
+  }
+}
+
 }  // namespace
+
+base::Result<Analysed> analysed(const Surface& surface, std::span<const TrimLine> lines, SharedNumbers& numbers,
+                                const RecogniseOptions& options) {
+  return Recogniser(surface, numbers, options).run(lines);
+}
 
 base::Result<Recognised> recognise(const Surface& surface, std::span<const TrimLine> lines, SharedNumbers& numbers,
                                    const RecogniseOptions& options) {
-  return Recogniser(surface, numbers, options).run(lines);
+  DOBRA_TRY(Analysed found, analysed(surface, lines, numbers, options));
+  number_between(*found.state, numbers);
+  return Recognised(found.state, std::move(found.findings));
 }
 
 base::Result<Recognised> recognise(const Surface& surface, std::span<const TrimLine> lines,

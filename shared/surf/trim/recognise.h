@@ -39,6 +39,7 @@ struct RecogniseOptions {
   double same = 1e-7;   ///< Points nearer than this are one, by parts of the chart's ranges; so below.
   double close = 2e-3;  ///< Gaps between edges that follow each other in a line are closed up to this, and told.
   double chord = 0.02;  ///< Longest chord that stands for a line; halved where chords would cross otherwise than lines.
+  bool name_sides = true;    ///< Sides of the chart that bound are called "left", "right", "bottom", "top".
   bool across_seams = true;  ///< What lies on both sides of a seam is one face.
   /// Parameters at which shared curves are cut besides, so that they are alike on all their surfaces.
   std::map<SharedCurveId, std::vector<double>> cuts = {};

@@ -87,22 +87,29 @@ base::Result<std::size_t> Recognised::pick(Point uv) const {
   Point p = s.arcs.part(uv);
   if (s.surface.closed_u()) p.x -= std::floor(p.x);
   if (s.surface.closed_v()) p.y -= std::floor(p.y);
-  const auto refused = [&](const char* why) {
-    return Error{ErrorCode::OutsideDomain,
-                 fmt::format("the point (u {:.6g}, v {:.6g}) lies {}; pick one well inside a face", uv.x, uv.y, why),
-                 base::Place{.u = uv.x, .v = uv.y}};
-  };
-  if (!geom::is_finite(p) || p.x < 0.0 || p.x > 1.0 || p.y < 0.0 || p.y > 1.0) return refused("beside the chart");
+  if (!geom::is_finite(uv)) return Error{ErrorCode::NotFinite, "the point that is to pick a face is not finite"};
+  const Point inside{std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0)};
+  if (!(p == inside))
+    return Error{
+        ErrorCode::OutsideDomain,
+        fmt::format("the point (u {:.6g}, v {:.6g}) lies beside the chart of the surface; pick one inside", uv.x, uv.y),
+        place_of(s.surface, s.arcs.uv(inside))};
+  const Error on_a_line{
+      ErrorCode::OutsideDomain,
+      fmt::format("the point (u {:.6g}, v {:.6g}) lies on a line, or so near to it that its side is not "
+                  "known; pick one well inside a face",
+                  uv.x, uv.y),
+      place_of(s.surface, uv)};
   const Subdivision& sub = s.faces.subdivision;
   const double near = 0.25 * s.faces.sag + s.options.same;
   for (const EdgeId e : sub.edges()) {
     // The chords of a side are the side itself.
     const Strand& strand = s.arcs.strands[s.arcs.arcs[s.faces.chords[Subdivision::half_edge(e).index()].arc].strand];
-    if (geom::distance(sub.segment(e), p) <= (strand.side ? s.options.same : near)) return refused("on a line");
+    if (geom::distance(sub.segment(e), p) <= (strand.side ? s.options.same : near)) return on_a_line;
   }
   const topo::Location there = locate(sub, p);
   const int part = there.where == topo::Where::Face ? s.parts[there.face.index()] : -1;
-  if (part < 0) return refused("on a line");
+  if (part < 0) return on_a_line;
   return static_cast<std::size_t>(part);
 }
 

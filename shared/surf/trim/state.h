@@ -1,6 +1,8 @@
 #pragma once
 // What a recognised chart consists of. Of use inside this folder.
 
+#include <utility>
+
 #include "shared/surf/trim/faces.h"
 
 namespace dobra::surf::trim {
@@ -28,5 +30,15 @@ struct Recognised::State {
   [[nodiscard]] TrimmedSurface face(const Parts& of, int number, CommonLines common) const;
   [[nodiscard]] std::vector<ChartLine> lines_inside(const Parts& of, int number, CommonLines common) const;
 };
+
+/// Lines in, cut and with the faces that they bound; no numbers for edges between faces.
+struct Analysed {
+  std::shared_ptr<Recognised::State> state;
+  std::vector<Finding> findings;
+  std::vector<Meeting> meetings;
+  std::vector<std::pair<std::size_t, std::size_t>> seams;  ///< Arcs on both sides of a seam.
+};
+base::Result<Analysed> analysed(const Surface& surface, std::span<const TrimLine> lines, SharedNumbers& numbers,
+                                const RecogniseOptions& options);
 
 }  // namespace dobra::surf::trim

@@ -52,12 +52,11 @@ class Maker {
 
  private:
   /// The parts of an edge between seams, each in the chart.
-  base::Result<std::vector<Strand>> in_chart(const ChartEdge& edge, const TrimLine& line, std::size_t number) const {
+  base::Result<std::vector<Strand>> in_chart(const ChartEdge& edge, const TrimLine& line, std::size_t number) {
     std::vector<double> cuts{0.0, 1.0};
     const geom::Box& chart = surface_.chart();
     const std::vector<double> parts = looks(edge);
-    const auto cut_at_seams = [&](bool closed, auto coordinate, double low, double range) {
-      if (!closed) return;
+    const auto cut_at_borders = [&](bool closed, auto coordinate, double low, double range) {
       const auto place = [&](double part) { return (coordinate(at(edge, part)) - low) / range; };
       const bool leaves = std::any_of(parts.begin(), parts.end(), [&](double part) {
         return place(part) > 1.0 + options_.same || place(part) < -options_.same;
@@ -67,6 +66,7 @@ class Maker {
         const double a = place(parts[i - 1]), b = place(parts[i]);
         if (std::max(a, b) <= 1.0 && std::min(a, b) >= 0.0) continue;
         for (double seam = std::ceil(std::min(a, b)); seam <= std::max(a, b); ++seam) {
+          if (!closed && seam != 0.0 && seam != 1.0) continue;
           double from = parts[i - 1], to = parts[i];
           for (int k = 0; k < 60; ++k) {
             const double middle = 0.5 * (from + to);
@@ -77,9 +77,9 @@ class Maker {
         }
       }
     };
-    cut_at_seams(
+    cut_at_borders(
         surface_.closed_u(), [](Point p) { return p.x; }, chart.low.x, chart.width());
-    cut_at_seams(
+    cut_at_borders(
         surface_.closed_v(), [](Point p) { return p.y; }, chart.low.y, chart.height());
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < 1e-9; }), cuts.end());
@@ -97,31 +97,48 @@ class Maker {
       const Vector by{chart.width() * periods(surface_.closed_u(), middle.x),
                       chart.height() * periods(surface_.closed_v(), middle.y)};
       if (!(by == Vector{})) strand.edge.curve = moved(edge.curve, by);
-      DOBRA_TRY_VOID(lies_inside(strand.edge));
+      DOBRA_TRY(const double beyond, how_far_beyond(strand.edge));
+      if (beyond > options_.same) {
+        if (!pull_in(strand, beyond)) continue;
+      }
       strands.push_back(std::move(strand));
     }
     return strands;
   }
 
-  [[nodiscard]] base::Result<void> lies_inside(const ChartEdge& edge) const {
-    double worst = options_.same;
-    std::optional<Point> where;
+  /// By how much of its ranges an edge lies beyond the chart at most.
+  [[nodiscard]] base::Result<double> how_far_beyond(const ChartEdge& edge) const {
+    double worst = 0.0;
+    Point where;
     for (const double part : looks(edge)) {
       const Point p = made_.arcs.part(at(edge, part));
       if (!geom::is_finite(p)) return Error{ErrorCode::NotFinite, "a line in the chart has a point that is not finite"};
       const double off = std::max({-p.x, p.x - 1.0, -p.y, p.y - 1.0});
-      if (off > worst && off > options_.close) worst = off, where = p;
+      if (off > worst) worst = off, where = p;
     }
-    if (!where) return {};
-    const Point uv = made_.arcs.uv(*where);
+    if (worst <= options_.close) return worst;
+    const Point uv = made_.arcs.uv(where);
+    const geom::Box& chart = surface_.chart();
     return Error{
         ErrorCode::OutsideDomain,
         fmt::format("a line leaves the chart of its surface at (u {:.6g}, v {:.6g}); keep it within u {:.6g} to "
                     "{:.6g}, v {:.6g} to {:.6g}",
-                    uv.x, uv.y, surface_.chart().low.x, surface_.chart().high.x, surface_.chart().low.y,
-                    surface_.chart().high.y),
-        place_of(surface_, {std::clamp(uv.x, surface_.chart().low.x, surface_.chart().high.x),
-                            std::clamp(uv.y, surface_.chart().low.y, surface_.chart().high.y)})};
+                    uv.x, uv.y, chart.low.x, chart.high.x, chart.low.y, chart.high.y),
+        place_of(surface_, {std::clamp(uv.x, chart.low.x, chart.high.x), std::clamp(uv.y, chart.low.y, chart.high.y)})};
+  }
+
+  /// What lies a little beyond a border runs along it; false if nothing is left of it.
+  bool pull_in(Strand& strand, double beyond) {
+    const auto into = [](Point p) { return Point{std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0)}; };
+    const Point a = into(made_.arcs.part(strand.edge.start())), b = into(made_.arcs.part(strand.edge.end()));
+    const Point uv = made_.arcs.uv(a);
+    made_.findings.push_back({"pulled_in",
+                              fmt::format("a line ran {:.3g} of the range beyond the chart and was pulled in", beyond),
+                              place_of(surface_, uv)});
+    if (geom::distance(a, b) <= options_.same) return false;
+    ChartEdge along = straight(uv, made_.arcs.uv(b), strand.edge.name);
+    strand.edge = std::move(along);
+    return true;
   }
 
   /// On a side of the chart if it is nearly there.
@@ -163,7 +180,8 @@ class Maker {
       }
     }
     if (strands.empty())
-      return Error{ErrorCode::DegenerateCurve, fmt::format("line {} of the chart has no edge", number + 1)};
+      return Error{ErrorCode::DegenerateCurve,
+                   fmt::format("line {} of the chart has no edge; draw it or leave it out", number + 1)};
     Arcs& arcs = made_.arcs;
     for (Strand& each : strands) {
       each.start = arcs.vertex(part_at(each, false), options_.same);
@@ -188,11 +206,16 @@ class Maker {
       const Point uv = arcs.uv(a);
       const double metres = geom::distance(surface_.at(uv), surface_.at(arcs.uv(b)));
       if (gap > options_.close || !follows[i]) {
-        return Error{ErrorCode::CannotMesh,
-                     fmt::format("{} {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end where the next begins",
-                                 first ? "the line does not close: its ends are" : "edges that follow each other are",
-                                 metres, uv.x, uv.y),
-                     place_of(surface_, uv)};
+        const std::string what =
+            first ? fmt::format(
+                        "the line does not close: its ends are {:.6g} m apart at (u {:.6g}, v {:.6g}); draw it to "
+                        "its beginning",
+                        metres, uv.x, uv.y)
+                  : fmt::format(
+                        "edges that follow each other are {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end "
+                        "where the next begins",
+                        metres, uv.x, uv.y);
+        return Error{ErrorCode::CannotMesh, what, place_of(surface_, uv)};
       }
       made_.findings.push_back({"gap_closed",
                                 fmt::format("a gap of {:.3g} m between edges of a line was closed", metres),
@@ -219,9 +242,10 @@ class Maker {
   void add_sides(std::size_t number) {
     const auto add = [&](Side side, std::size_t from, std::size_t to, const char* name) {
       const Arcs& arcs = made_.arcs;
-      Strand strand{.edge = straight(arcs.uv(arcs.vertices[from]), arcs.uv(arcs.vertices[to]), name),
-                    .line = number++,
-                    .side = side};
+      Strand strand{
+          .edge = straight(arcs.uv(arcs.vertices[from]), arcs.uv(arcs.vertices[to]), options_.name_sides ? name : ""),
+          .line = number++,
+          .side = side};
       strand.start = from, strand.end = to;
       made_.arcs.strands.push_back(std::move(strand));
     };
