@@ -29,16 +29,24 @@ struct PatchShape : Surface::Shape {
       : basis_u(std::move(u)), basis_v(std::move(v)), points(std::move(control)) {}
 
   void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
-    for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet(uv[i]);
+    if (basis_u.degree() == 3 && basis_v.degree() == 3) {
+      for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet<3, 3>(basis_u.few<3>(uv[i].x), basis_v.few<3>(uv[i].y));
+    } else if (basis_u.degree() == 2 && basis_v.degree() == 2) {
+      for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet<2, 2>(basis_u.few<2>(uv[i].x), basis_v.few<2>(uv[i].y));
+    } else {
+      for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet<0, 0>(basis_u.at(uv[i].x), basis_v.at(uv[i].y));
+    }
   }
-  [[nodiscard]] Jet jet(Point uv) const {
-    const SplineBasis::Values in_u = basis_u.at(uv.x), in_v = basis_v.at(uv.y);
+  /// @tparam P, Q  degrees; 0: any
+  template <std::size_t P, std::size_t Q, class InU, class InV>
+  [[nodiscard]] Jet jet(const InU& in_u, const InV& in_v) const {
+    const std::size_t p = P == 0 ? basis_u.degree() : P, q = P == 0 ? basis_v.degree() : Q;
     const std::size_t row = basis_v.count();
     Homogeneous s{}, u{}, v{}, uu{}, uw{}, vv{};
-    for (std::size_t i = 0; i <= basis_u.degree(); ++i) {
+    for (std::size_t i = 0; i <= p; ++i) {
       const Homogeneous* const across = &points[(in_u.first + i) * row + in_v.first];
       std::array<Homogeneous, 3> sum{};
-      for (std::size_t j = 0; j <= basis_v.degree(); ++j) {
+      for (std::size_t j = 0; j <= q; ++j) {
         for (std::size_t k = 0; k < 3; ++k) sum[k] += in_v.of[k][j] * across[j];
       }
       s += in_u.of[0][i] * sum[0];

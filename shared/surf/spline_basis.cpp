@@ -56,7 +56,15 @@ std::size_t SplineBasis::span_of(double t) const {
   // The last knot that is not above t, among those that begin a piece.
   const auto begin = knots_.begin() + static_cast<std::ptrdiff_t>(degree_);
   const auto end = knots_.begin() + static_cast<std::ptrdiff_t>(count());
-  auto above = std::upper_bound(begin, end, t);
+  // Where it is if the knots are even; else by halving.
+  const double share = (t - low()) / (high() - low()) * static_cast<double>(end - begin);
+  auto above =
+      begin + (share > 0.0 ? static_cast<std::ptrdiff_t>(std::min(share, static_cast<double>(end - begin - 1))) : 0);
+  constexpr int few = 3;
+  int steps = 0;
+  for (; steps < few && above != end && *above <= t; ++steps) ++above;
+  for (; steps < few && above != begin && *(above - 1) > t; ++steps) --above;
+  if (steps == few) above = std::upper_bound(begin, end, t);
   if (above == begin) ++above;
   std::size_t span = static_cast<std::size_t>(above - knots_.begin()) - 1;
   while (span > degree_ && knots_[span] == knots_[span + 1]) --span;

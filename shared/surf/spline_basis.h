@@ -55,6 +55,45 @@ class SplineBasis {
   /// @cost O(degree^2 + log knots)
   [[nodiscard]] Values at(double t) const;
 
+  /// The same for a degree that is known, without room for more.
+  template <std::size_t degree>
+  struct Few {
+    std::size_t first = 0;
+    std::array<std::array<double, degree + 1>, 3> of;  // NOLINT: all of it is written
+  };
+  /// @pre 2 <= degree = degree()
+  template <std::size_t degree>
+  [[nodiscard]] Few<degree> few(double t) const {
+    const std::size_t span = span_of(t);
+    const double* const knots = &knots_[span - degree];
+    // Functions of degree j are sums of parts of those of degree j - 1; derivatives are differences of these parts.
+    std::array<double, degree + 1> value;  // NOLINT: so below
+    std::array<double, degree> part, first, below;
+    value[0] = 1.0;
+    for (std::size_t j = 1; j <= degree; ++j) {
+      double saved = 0.0;
+      for (std::size_t r = 0; r < j; ++r) {
+        const double low = knots[degree + 1 + r - j], high = knots[degree + 1 + r];
+        part[r] = value[r] / (high - low);
+        value[r] = saved + (high - t) * part[r];
+        saved = (t - low) * part[r];
+      }
+      value[j] = saved;
+      if (j + 1 != degree) continue;
+      for (std::size_t r = 0; r < degree; ++r)
+        below[r] = static_cast<double>(j) * ((r > 0 ? part[r - 1] : 0.0) - (r < j ? part[r] : 0.0));
+    }
+    for (std::size_t r = 0; r < degree; ++r) first[r] = below[r] / (knots[degree + 1 + r] - knots[r + 1]);
+    Few<degree> few;
+    few.first = span - degree;
+    few.of[0] = value;
+    for (std::size_t r = 0; r <= degree; ++r) {
+      few.of[1][r] = static_cast<double>(degree) * ((r > 0 ? part[r - 1] : 0.0) - (r < degree ? part[r] : 0.0));
+      few.of[2][r] = static_cast<double>(degree) * ((r > 0 ? first[r - 1] : 0.0) - (r < degree ? first[r] : 0.0));
+    }
+    return few;
+  }
+
  private:
   SplineBasis(std::size_t degree, std::vector<double> knots) : degree_(degree), knots_(std::move(knots)) {}
   /// The knot at which the piece that holds a parameter begins.

@@ -397,7 +397,13 @@ class HardFaceMaker {
 
   void long_thin() {
     const double height = power(-2.5, -1.5);
-    draft_.surface = patch_carrier(wavy(3, 7, 1.0, height, 0.02));
+    // It waves along itself; across, no more than its width lets it.
+    PatchOf patch = wavy(3, 7, 1.0, height, 0.2 * height);
+    for (std::size_t i = 0; i < patch.count_u; ++i) {
+      const double wave = real(-0.02, 0.02);
+      for (std::size_t j = 0; j < patch.count_v; ++j) patch.points[i * patch.count_v + j].z += wave;
+    }
+    draft_.surface = patch_carrier(patch);
     count(add_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
     face_.unsure = 5e-4;
     sound("long and thin");

@@ -35,9 +35,9 @@ inline trim::ChartLoop rectangle(const geom::Box& box) {
 inline trim::ChartLoop ellipse_hole(geom::Point centre, double a, double b) {
   const auto quarter = [&](double cos0, double sin0, double cos1, double sin1) {
     const auto at = [&](double c, double s) { return geom::Point3{centre.x + a * c, centre.y + b * s, 0.0}; };
-    return trim::ChartEdge{*Curve::bezier({at(cos0, sin0), at(cos0 + cos1, sin0 + sin1), at(cos1, sin1)},
-                                          {1.0, std::sqrt(0.5), 1.0}),
-                           0.0, 1.0, "hole"};
+    return trim::ChartEdge{
+        *Curve::bezier({at(cos0, sin0), at(cos0 + cos1, sin0 + sin1), at(cos1, sin1)}, {1.0, std::sqrt(0.5), 1.0}), 0.0,
+        1.0, "hole"};
   };
   return {{quarter(1, 0, 0, -1), quarter(0, -1, -1, 0), quarter(-1, 0, 0, 1), quarter(0, 1, 1, 0)}};
 }
@@ -129,9 +129,7 @@ inline trim::ChartLoop cut_sphere() {
 
 inline std::vector<StandIn> stand_ins() {
   using namespace stand_in;
-  const auto whole = [](const Surface& surface) {
-    return trim::TrimmedSurface{surface, {rectangle(surface.chart())}};
-  };
+  const auto whole = [](const Surface& surface) { return trim::TrimmedSurface{surface, {rectangle(surface.chart())}}; };
   const auto holed = [&](const Surface& surface, std::vector<trim::ChartLoop> holes) {
     trim::TrimmedSurface face = whole(surface);
     for (auto& hole : holes) face.loops.push_back(std::move(hole));
@@ -150,10 +148,10 @@ inline std::vector<StandIn> stand_ins() {
                  whole(through_graph({{-10, -10}, {10, 10}},
                                      [](double x, double y) { return 4.0 * std::exp(-(x * x + y * y) / 8.0); })),
                  1.0, 5.0});
-  all.push_back({"7f",
-                 whole(through_graph({{0, 0}, {10, 10}},
-                                     [](double x, double y) { return 1.5 * std::sin(x) * std::cos(y); })),
-                 0.5, 5.0});
+  all.push_back(
+      {"7f",
+       whole(through_graph({{0, 0}, {10, 10}}, [](double x, double y) { return 1.5 * std::sin(x) * std::cos(y); })),
+       0.5, 5.0});
   all.push_back({"8a", holed(flat(), {round(5, 5, 2)}), 0.5, 15.0});
   all.push_back({"8b",
                  holed(flat(), {round(2.5, 2.5, 1), round(7.5, 2.5, 1), round(2.5, 7.5, 1), round(7.5, 7.5, 1),

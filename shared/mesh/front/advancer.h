@@ -362,8 +362,8 @@ void Advancer<Space>::close_corners(SideId s) {
 
 /// The nearest node to q within `clear`, or a wall; a, b and c are not counted. Unsafe nodes count as walls.
 template <class Space>
-typename Advancer<Space>::Found Advancer<Space>::look(const Place& q, double clear, double size, Kernel::Vertex a, Kernel::Vertex b,
-                               Kernel::Vertex c) const {
+typename Advancer<Space>::Found Advancer<Space>::look(const Place& q, double clear, double size, Kernel::Vertex a,
+                                                      Kernel::Vertex b, Kernel::Vertex c) const {
   Found found;
   double nearest = clear * clear;
   const double wall = options_.least_wall * options_.least_wall * size * size;
@@ -551,7 +551,8 @@ base::Result<void> Advancer<Space>::step(std::size_t count, const base::Progress
     if (side.stamp != entry.stamp || side.from == Side::free) continue;
     front_.generation = side.generation;
     generation_ = static_cast<std::uint16_t>(std::min(side.generation + 1, 0xffff));
-    if (may_close(entry.side, rules::corner_cosine, rules::least_alpha) || may_close(side.previous, rules::corner_cosine, rules::least_alpha)) {
+    if (may_close(entry.side, rules::corner_cosine, rules::least_alpha) ||
+        may_close(side.previous, rules::corner_cosine, rules::least_alpha)) {
       close_corners(entry.side);
       continue;
     }

@@ -5,9 +5,7 @@
 
 namespace dobra::mesh::front {
 
-base::Error front_crossed() {
-  return {base::ErrorCode::SelfIntersection, "sides of the advancing front cross", {}};
-}
+base::Error front_crossed() { return {base::ErrorCode::SelfIntersection, "sides of the advancing front cross", {}}; }
 
 std::unique_ptr<FillEngine> advancing_front(delaunay::DelaunayKernel& kernel, const sizing::SizeField& field,
                                             const FrontalOptions& options, Front& front) {

@@ -13,7 +13,8 @@ namespace dobra::mesh::front {
 template <class Space>
 class FrontEngine final : public FillEngine {
  public:
-  FrontEngine(delaunay::DelaunayKernel& kernel, Space& space, const sizing::SizeField& field, const FrontalOptions& options)
+  FrontEngine(delaunay::DelaunayKernel& kernel, Space& space, const sizing::SizeField& field,
+              const FrontalOptions& options)
       : kernel_(kernel),
         space_(space),
         field_(field),

@@ -1,6 +1,6 @@
 #pragma once
-// The filling of gaps of front_gaps.h in a space of its own: the plane, or a surface (space.h). What crosses is found in
-// the chart.
+// The filling of gaps of front_gaps.h in a space of its own: the plane, or a surface (space.h). What crosses is found
+// in the chart.
 
 #include <algorithm>
 #include <memory>

@@ -16,7 +16,8 @@
 // Notation: h wanted size; R circumradius; a cell is accepted once sqrt(3) R <= accept * h, given up when no point can
 // be put for it; both let the front pass. Active: neither, but beside a marked side or a cell that lets the front pass.
 // 1. Rate all cells; queue the active ones.
-// 2. Take the worst active cell; for its active sides, shortest first, compute the ideal point, check that it keeps clear
+// 2. Take the worst active cell; for its active sides, shortest first, compute the ideal point, check that it keeps
+// clear
 //    of vertices and marked sides, insert it; rate the cells round it. If no side gives a point, give the cell up.
 // 3. For cells given up that are still too large, try their circumcentre.
 
@@ -202,7 +203,8 @@ bool PointPlacer<Space>::keeps_clear(const Place& p, Kernel::Cell start, double 
       if (kernel_.mark(e) != 0) {
         const Point from = space_.at(kernel_.origin(e));
         const Point to = space_.at(kernel_.target(e));
-        if (space_.to_side(from, to, p.at) < options_.least_wall * std::min(size, geom::distance(from, to))) return false;
+        if (space_.to_side(from, to, p.at) < options_.least_wall * std::min(size, geom::distance(from, to)))
+          return false;
         continue;
       }
       const Kernel::Cell other = Kernel::cell_of(kernel_.twin(e));

@@ -19,12 +19,12 @@ struct SmoothOptions {
   int passes = 3;       ///< Sweeps over all nodes; [miranda2009surface] finds 3 enough.
   double phi = 0.75;    ///< Step, 0 (nothing moves) to 1 (to the mean of the neighbours).
   double enough = 2.0;  ///< Nodes whose triangles all have at least this alpha stay; above 1 none does for that reason.
-  /// Towards the mean of the places where each triangle of the star would be equilateral, by 1 / size, instead of that of
-  /// the neighbours; kept if the sum of all alphas grows and none falls below the least one or `spared`.
+  /// Towards the mean of the places where each triangle of the star would be equilateral, by 1 / size, instead of that
+  /// of the neighbours; kept if the sum of all alphas grows and none falls below the least one or `spared`.
   bool equilateral = false;
   double spared = 0.8;
   double least_step = 0.0;  ///< Nodes that are nearer to that place than this part of a side rest.
-  int halvings = 2;     ///< How often a step that the guard refuses is halved before the node stays.
+  int halvings = 2;         ///< How often a step that the guard refuses is halved before the node stays.
   /// Nodes with a triangle below this alpha are then moved towards where their triangles would be equilateral, the bad
   /// ones counting more: its gain may cost the others half as much. 0: never, equation 18 alone.
   double rescue = 0.0;
@@ -40,6 +40,7 @@ std::size_t smooth(TriangleMesh& mesh, std::span<const std::uint8_t> fixed, cons
 
 /// Rounds of smoothing and flips in a kernel, where `triangulate` works. In later rounds only what has changed or is
 /// not good enough is looked at.
+/// @param fixed  0: to be moved, 1: stays, 2: rests until something round it moves or is flipped
 /// @error Cancelled.  @pre one flag a vertex; the kernel is Delaunay.
 base::Result<void> improve(delaunay::DelaunayKernel& kernel, std::span<const std::uint8_t> fixed,
                            const SmoothOptions& options, int rounds, const base::Progress& progress);

@@ -147,9 +147,9 @@ class Smoother {
     double weights = 0.0;
     for (std::size_t i = 1; i < ring_.size(); ++i) {
       const Vector base = ring_[i] - ring_[i - 1];
-      const Point top = geom::midpoint(ring_[i], ring_[i - 1]) + 0.5 * std::numbers::sqrt3 * space_.left_of(frame_, base);
-      const double sides = squared(base) + squared(ring_[i - 1] - here) +
-                           squared(ring_[i] - here);
+      const Point top =
+          geom::midpoint(ring_[i], ring_[i - 1]) + 0.5 * std::numbers::sqrt3 * space_.left_of(frame_, base);
+      const double sides = squared(base) + squared(ring_[i - 1] - here) + squared(ring_[i] - here);
       const double weight = 1.0 - 2.0 * std::numbers::sqrt3 * space_.cross(frame_, ring_[i - 1] - here, base) / sides;
       sum = sum + weight * (top - here);
       weights += weight;
@@ -191,6 +191,7 @@ class Smoother {
 
   /// Whether all triangles round a node at `here` have at least the alpha `enough`: most do, so without a division.
   [[nodiscard]] bool is_enough(Point here) const {
+    if (options_.enough > 1.0) return false;
     const double least = options_.enough / (2.0 * std::numbers::sqrt3);
     Vector u = ring_[0] - here;
     double uu = squared(u);
@@ -229,13 +230,13 @@ class Smoother {
   std::vector<Kernel::Vertex> moved_;
   std::vector<Point> ring_;
   std::vector<geom::Point> chart_ring_;  ///< Only where the chart is not the space.
-  typename Space::Frame frame_{};         ///< At the node that is moved.
+  typename Space::Frame frame_{};        ///< At the node that is moved.
 };
 
 /// As in smooth.h.
 template <class Space>
-base::Result<void> improve(delaunay::DelaunayKernel& kernel, Space& space, std::span<const std::uint8_t> fixed, const SmoothOptions& options,
-                           int rounds, const base::Progress& progress) {
+base::Result<void> improve(delaunay::DelaunayKernel& kernel, Space& space, std::span<const std::uint8_t> fixed,
+                           const SmoothOptions& options, int rounds, const base::Progress& progress) {
   Smoother<Space> smoother(kernel, space, fixed, options);
   std::vector<delaunay::DelaunayKernel::Vertex> changed;
   for (int round = 0; round < rounds; ++round) {

@@ -17,7 +17,7 @@ namespace dobra::mesh::front {
 
 /// How a step of length 1 in space looks in the chart, in a leaf of the tree of sizes.
 struct LeafScale {
-  double mean = 1.0;  ///< Its length there, the mean over all directions.
+  double mean = 1.0;                    ///< Its length there, the mean over all directions.
   double reach_u = 1.0, reach_v = 1.0;  ///< Most that it goes along u and v.
 };
 

@@ -81,14 +81,18 @@ struct ChartMesher::State {
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
     std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
-    const auto smooth = [&](const Progress& part) {
-      return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, options.rounds, part);
-    };
-    DOBRA_TRY_VOID(smooth(progress.part(0.0, 0.4)));
+    // Nodes need not be quite where they belong before sides are flipped.
+    dobra::mesh::front::SmoothOptions rough = options.smoothing;
+    if (options.tidy.rounds > 0) rough.least_step *= 2.0;
+    DOBRA_TRY_VOID(
+        dobra::mesh::front::improve(domain.kernel, space, fixed, rough, options.rounds, progress.part(0.0, 0.5)));
     if (options.tidy.rounds == 0) return {};
-    DOBRA_TRY(const std::size_t kept, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.4, 0.7)));
-    if (kept == 0) return {};
-    return smooth(progress.part(0.7, 1.0));
+    DOBRA_TRY(const auto changed, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.5, 0.8)));
+    constexpr std::uint8_t resting = 2;
+    for (std::uint8_t& each : fixed) each = each == 0 ? resting : each;
+    for (const Kernel::Vertex v : changed) fixed[v] = 0;
+    return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, options.rounds,
+                                       progress.part(0.8, 1.0));
   }
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 // The mesher of one face of a surface: sizes from a quadtree in its chart, rows of triangles from the given sides
-// inwards, gaps, flips, smoothing. It is the mesher of the plane (mesh/front/triangulate.h) in another space: what must be
-// decided is decided exactly in the chart, what is measured is measured in space. At once, or step by step.
-// Page: docs/algorithms/surface_front.md. Sources: [miranda2009surface], [miranda1999mesh], [rebay1993].
+// inwards, gaps, flips, smoothing. It is the mesher of the plane (mesh/front/triangulate.h) in another space: what must
+// be decided is decided exactly in the chart, what is measured is measured in space. At once, or step by step. Page:
+// docs/algorithms/surface_front.md. Sources: [miranda2009surface], [miranda1999mesh], [rebay1993].
 
 #include <cstddef>
 #include <memory>
@@ -19,9 +19,10 @@ namespace dobra::surf::mesh {
 struct ChartMeshOptions {
   SizeOptions sizes = {};
   dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
-  dobra::mesh::front::SmoothOptions smoothing = {.enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
-  int rounds = 3;         ///< Of flips and smoothing.
-  TidyOptions tidy = {};  ///< Between two of them.
+  dobra::mesh::front::SmoothOptions smoothing = {
+      .enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
+  int rounds = 3;                                                              ///< Of flips and smoothing.
+  TidyOptions tidy = {};                                                       ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.
@@ -56,11 +57,12 @@ class ChartMesher {
 /// Meshes the inside of the boundary edges of a face.
 /// @return every given edge is there as given (cut only at given points that lie exactly on it in the chart), in named
 ///         sets. No triangle is turned in the chart.
-/// @error  of build_domain (planar_domain.h): NotFinite, InvalidOption, CannotMesh, SelfIntersection, OutsideDomain, with
+/// @error  of build_domain (planar_domain.h): NotFinite, InvalidOption, CannotMesh, SelfIntersection, OutsideDomain,
+/// with
 ///         the place in the chart; InvalidOption: sizes; DegenerateCurve: no normal inside, with the place;
 ///         TooManyElements with advice; Cancelled.
 /// @cost   O(n log n) in the number n of triangles; about three jets of the surface a node.
 base::Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options = {},
-                                   const base::Progress& progress = {});
+                                  const base::Progress& progress = {});
 
 }  // namespace dobra::surf::mesh

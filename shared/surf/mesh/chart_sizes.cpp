@@ -163,8 +163,8 @@ double size_by_shape(const Jet& jet, const SizeOptions& options) {
 }
 
 Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
-                               std::span<const dobra::mesh::delaunay::SizeRequest> requests,
-                               const SizeOptions& options, const base::Progress& progress) {
+                               std::span<const dobra::mesh::delaunay::SizeRequest> requests, const SizeOptions& options,
+                               const base::Progress& progress) {
   DOBRA_TRY_VOID(validate(requests, options));
   geom::Box box;
   std::vector<SizedEdge> edges;

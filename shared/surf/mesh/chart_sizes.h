@@ -20,9 +20,9 @@ struct GivenSide {
 };
 
 struct ChartSizes {
-  dobra::mesh::sizing::SizeField field;             ///< Over the scaled chart.
+  dobra::mesh::sizing::SizeField field;              ///< Over the scaled chart.
   std::vector<dobra::mesh::front::LeafScale> scale;  ///< One a cell; meaningful for leaves.
-  std::vector<double> triangles;                    ///< One a cell: about how many fill a leaf.
+  std::vector<double> triangles;                     ///< One a cell: about how many fill a leaf.
 };
 
 /// @param requests  in the scaled chart, sizes in space.

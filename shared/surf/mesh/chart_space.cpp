@@ -9,8 +9,8 @@ using dobra::mesh::sizing::QuadCellId;
 using geom::Vector3;
 
 ChartSpace::Place ChartSpace::between(Vertex a, Vertex b, double t) const {
-  return {nodes_[a].at + t * (nodes_[b].at - nodes_[a].at),
-          geom::interpolate(kernel_->point(a), kernel_->point(b), t), nodes_[a].u(), nodes_[a].v()};
+  return {nodes_[a].at + t * (nodes_[b].at - nodes_[a].at), geom::interpolate(kernel_->point(a), kernel_->point(b), t),
+          nodes_[a].u(), nodes_[a].v()};
 }
 
 ChartSpace::Place ChartSpace::beside(Vertex a, Vertex b, Vector by) const {

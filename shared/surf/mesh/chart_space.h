@@ -80,7 +80,8 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
     kernel_->move(v, place.in_chart);
     nodes_[v] = Node::of(place);
   }
-  /// A node of the kernel that has none here yet: those come in order. @param at  where it is, on the surface or near it
+  /// A node of the kernel that has none here yet: those come in order. @param at  where it is, on the surface or near
+  /// it
   void enter(Vertex v, Point at);
 
   [[nodiscard]] dobra::mesh::front::LeafScale scale(dobra::mesh::sizing::QuadCellId leaf) const {

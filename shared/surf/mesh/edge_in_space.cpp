@@ -116,7 +116,12 @@ double EdgeInSpace::turn_at(double s) const {
 
 geom::SpaceCurveFunctions EdgeInSpace::functions(double s0, double s1) const {
   const auto s = [s0, s1](double t) { return (1.0 - t) * s0 + t * s1; };
-  return {[this, s](double t) { return at(s(t)); }, [this, s](double t) { return jet(s(t)).first; },
+  // The tangents at its ends are its own, though a corner be there.
+  const auto own = [s](double t) {
+    constexpr double inside = 1e-7;
+    return s(std::clamp(t, inside, 1.0 - inside));
+  };
+  return {[this, s](double t) { return at(s(t)); }, [this, own](double t) { return jet(own(t)).first; },
           [this, s](double from, double to) { return length(s(from), s(to)); }};
 }
 

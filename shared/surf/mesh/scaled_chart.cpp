@@ -27,8 +27,8 @@ double mean_skew(const Surface& surface, const geom::Box& part) {
   int counted = 0;
   for (int i = 0; i < places; ++i) {
     for (int j = 0; j < places; ++j) {
-      const Metric m = metric(surface.jet({part.low.x + (i + 0.5) / places * part.width(),
-                                           part.low.y + (j + 0.5) / places * part.height()}));
+      const Metric m = metric(surface.jet(
+          {part.low.x + (i + 0.5) / places * part.width(), part.low.y + (j + 0.5) / places * part.height()}));
       if (!(m.e > 0.0 && m.g > 0.0)) continue;
       sum += m.f / std::sqrt(m.e * m.g);
       ++counted;

@@ -1,7 +1,7 @@
 #pragma once
-// The chart of a surface, made alike its image in space: scaled along u and v by the lengths of the isolines through the
-// middle, and sheared where u and v are far from right angles in space. Meshers work there.
-// Source: [miranda2009surface], equations 6 and 7.
+// The chart of a surface, made alike its image in space: scaled along u and v by the lengths of the isolines through
+// the middle, and sheared where u and v are far from right angles in space. Meshers work there. Source:
+// [miranda2009surface], equations 6 and 7.
 
 #include <cmath>
 

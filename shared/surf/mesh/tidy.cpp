@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace dobra::surf::mesh {
@@ -52,17 +53,26 @@ class Tidier {
         const double angle = std::acos(std::clamp(dot(u, w) / std::sqrt(dot(u, u) * dot(w, w)), -1.0, 1.0));
         ideal_[v] += static_cast<float>(angle * 3.0 / std::numbers::pi);
       }
+      const auto& v = kernel.cell(c).vertex;
+      if (alpha_of(space.at(v[0]), space.at(v[1]), space.at(v[2])) < poor)
+        todo_.insert(todo_.end(), v.begin(), v.end());
+    }
+    for (Vertex v = 0; v < kernel.vertex_count(); ++v) {
+      if (odd(v, 0) >= 0.5F) todo_.push_back(v);
     }
   }
 
-  std::size_t sweep() {
-    std::size_t kept = 0;
-    for (Vertex v = 0; v < degree_.size(); ++v) {
+  /// One round over what there is to do; what is round the flips that it kept is to be done next.
+  void sweep() {
+    std::sort(todo_.begin(), todo_.end());
+    todo_.erase(std::unique(todo_.begin(), todo_.end()), todo_.end());
+    const std::vector<Vertex> now = std::exchange(todo_, {});
+    for (const Vertex v : now) {
       if (kernel_.half_of(v) == Kernel::none || (odd(v, 0) < 0.5F && !is_poor(v))) continue;
-      if (improve_round(v)) ++kept;
+      if (improve_round(v)) todo_.insert(todo_.end(), nodes_.begin(), nodes_.end());
     }
-    return kept;
   }
+  [[nodiscard]] const std::vector<Vertex>& todo() const { return todo_; }
 
  private:
   struct Star {
@@ -124,7 +134,8 @@ class Tidier {
     kernel_.flip(e);
     relax();
     const Star then = star();
-    if (then.lost < now.lost - options_.least_gain && then.least >= std::min(now.least, options_.spared) && settle(now)) {
+    if (then.lost < now.lost - options_.least_gain && then.least >= std::min(now.least, options_.spared) &&
+        settle(now)) {
       --degree_[a];
       --degree_[b];
       ++degree_[c];
@@ -196,8 +207,7 @@ class Tidier {
           const geom::Point3 p = space_.at(kernel_.target(e)), q = space_.at(kernel_.apex(e));
           const Vector3 base = q - p;
           const double weight = 1.0 / dot(base, base);
-          const Vector3 top =
-              geom::midpoint(p, q) - here + 0.5 * std::numbers::sqrt3 * space_.left_of(frame, base);
+          const Vector3 top = geom::midpoint(p, q) - here + 0.5 * std::numbers::sqrt3 * space_.left_of(frame, base);
           sum = sum + weight * top;
           weights += weight;
           e = kernel_.around(e);
@@ -235,6 +245,7 @@ class Tidier {
   std::vector<float> ideal_;           ///< How many there should be.
   std::vector<std::uint32_t> vertex_seen_, cell_seen_;
   std::uint32_t visit_ = 0;
+  std::vector<Vertex> todo_;  ///< To be looked at in the next round.
   std::vector<Half> sides_;
   std::vector<Vertex> nodes_;
   std::vector<Cell> cells_;
@@ -243,17 +254,18 @@ class Tidier {
 
 }  // namespace
 
-base::Result<std::size_t> tidy(Kernel& kernel, ChartSpace& space, std::span<const std::uint8_t> fixed,
-                               const TidyOptions& options, const base::Progress& progress) {
+base::Result<std::vector<Vertex>> tidy(Kernel& kernel, ChartSpace& space, std::span<const std::uint8_t> fixed,
+                                       const TidyOptions& options, const base::Progress& progress) {
   Tidier tidier(kernel, space, fixed, options);
-  std::size_t kept = 0;
+  std::vector<Vertex> changed;
   for (int round = 0; round < options.rounds; ++round) {
     DOBRA_TRY_VOID(progress.check());
-    const std::size_t now = tidier.sweep();
-    kept += now;
-    if (now == 0) break;
+    progress.report(static_cast<double>(round) / options.rounds, "nodes with six neighbours");
+    tidier.sweep();
+    if (tidier.todo().empty()) break;
+    changed.insert(changed.end(), tidier.todo().begin(), tidier.todo().end());
   }
-  return kept;
+  return changed;
 }
 
 }  // namespace dobra::surf::mesh

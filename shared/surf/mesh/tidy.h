@@ -3,9 +3,9 @@
 // around have found their places. A flip alone makes most places worse at first; so nodes around are moved before it is
 // judged. Page: docs/algorithms/surface_front.md.
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "shared/base/progress.h"
 #include "shared/surf/mesh/chart_space.h"
@@ -20,8 +20,9 @@ struct TidyOptions {
 };
 
 /// @param fixed  one flag a vertex: nodes that stay.
-/// @return how many flips were kept.  @error Cancelled.  @cost about 10 us for each flip that is tried
-base::Result<std::size_t> tidy(ChartSpace::Kernel& kernel, ChartSpace& space, std::span<const std::uint8_t> fixed,
-                               const TidyOptions& options, const base::Progress& progress);
+/// @return the nodes round flips that were kept.  @error Cancelled.  @cost O(n), and 10 us for each flip that is tried
+base::Result<std::vector<ChartSpace::Vertex>> tidy(ChartSpace::Kernel& kernel, ChartSpace& space,
+                                                   std::span<const std::uint8_t> fixed, const TidyOptions& options,
+                                                   const base::Progress& progress);
 
 }  // namespace dobra::surf::mesh

@@ -25,6 +25,7 @@ using geom::Point;
 using geom::Point3;
 using geom::Vector;
 using geom::Vector3;
+
 using Corner = PaperFront::Corner;
 using SegmentIndex = PaperFront::SegmentIndex;
 
@@ -56,6 +57,20 @@ Result<TriangleMesh> triangulated_border(const mesh::ChartInput& input, const ba
   return std::move(made->mesh);
 }
 
+Result<void> check_options(const PaperOptions& options) {
+  const auto refuse = [](const char* what, double value) {
+    return Error{ErrorCode::InvalidOption, fmt::format("{} and is {}", what, value)};
+  };
+  if (!(options.phi >= 0.0 && options.phi <= 1.0)) return refuse("phi must be from 0 to 1", options.phi);
+  if (!(options.largest >= 0.0)) return refuse("the largest size must not be negative", options.largest);
+  if (!(options.least_distance >= 0.0)) {
+    return refuse("the least distance of a new node must not be negative", options.least_distance);
+  }
+  if (!(options.height > 0.0)) return refuse("the height of the ideal triangle must be positive", options.height);
+  if (!(options.sphere > 0.0)) return refuse("the radius of the sphere must be positive", options.sphere);
+  return {};
+}
+
 /// L where none is given: the longest side of the border.
 double longest_side(const mesh::ChartInput& input) {
   double longest = 0.0;
@@ -63,6 +78,29 @@ double longest_side(const mesh::ChartInput& input) {
     longest = std::max(longest, distance(input.at[edge.nodes[0].index()], input.at[edge.nodes[1].index()]));
   }
   return longest;
+}
+
+/// The place of the surface next to a point, by Newton from a place near it; `closest` where that does not settle.
+Foot foot_near(const Surface& surface, Point3 point, Point near) {
+  const geom::Box& chart = surface.chart();
+  Point uv = near;
+  const double enough = 1e-10 * surface.size();
+  constexpr int most = 8;
+  for (int i = 0; i < most; ++i) {
+    const Jet jet = surface.jet(uv);
+    const Vector3 to = point - jet.at;
+    const double a = dot(jet.u, jet.u) - dot(to, jet.uu), b = dot(jet.u, jet.v) - dot(to, jet.uv);
+    const double c = dot(jet.v, jet.v) - dot(to, jet.vv);
+    const double along_u = dot(to, jet.u), along_v = dot(to, jet.v);
+    const double determinant = a * c - b * b;
+    if (!(a > 0.0 && determinant > 0.0)) break;
+    const Vector step{(c * along_u - b * along_v) / determinant, (a * along_v - b * along_u) / determinant};
+    uv = {std::clamp(uv.x + step.x, chart.low.x, chart.high.x), std::clamp(uv.y + step.y, chart.low.y, chart.high.y)};
+    if (geom::length(step.x * jet.u + step.y * jet.v) > enough) continue;
+    const Point3 at = surface.at(uv);
+    return {uv, at, distance(at, point)};
+  }
+  return closest(surface, point, near);
 }
 
 }  // namespace
@@ -101,6 +139,7 @@ struct PaperMesher::State {
   void activate();
   SegmentIndex shortest_active();
   bool use(SegmentIndex segment);
+  bool close(SegmentIndex segment, Point middle, double size);
   bool close_corner(SegmentIndex segment, double size);
   bool halve_corner(SegmentIndex segment, const PaperFront::Neighbour& neighbour, bool at_start, double size);
   std::optional<Corner> ideal(const Segment& segment, double size) const;
@@ -169,19 +208,33 @@ SegmentIndex PaperMesher::State::shortest_active() {
 /// Steps iii to xiv for one segment; false if it waits for the next level.
 bool PaperMesher::State::use(SegmentIndex index) {
   const Segment segment = front.segment(index);
-  if (ease == Ease::Closing) return to_best(index, front.nodes(), Rule::Closing);
   const Point middle = geom::midpoint(front.places()[segment.from], front.places()[segment.to]);
   const double size = tree.size_at(middle);
+  if (ease == Ease::Closing) return close(index, middle, size);
   if (close_corner(index, size)) return true;
   const std::optional<Corner> apex = ideal(segment, size);
   if (!apex) return false;
-  front.near(apex->uv, apex->at, size, reach(apex->uv, size), found);
+  front.near(apex->uv, apex->at, options.sphere * size, reach(apex->uv, size), found);
   if (to_best(index, found, Rule::Node)) return true;
   if (ease == Ease::NoDistance && free_nodes == 0) return false;
   if (!front.valid(segment.from, segment.to, *apex, least_distance(size))) return false;
   if (ease == Ease::NoDistance) --free_nodes;
   make(index, *apex, Rule::NewNode);
   return true;
+}
+
+/// To the best node that there is, near ones first. One of all nodes always does: every polygon can be triangulated.
+bool PaperMesher::State::close(SegmentIndex index, Point middle, double size) {
+  const Segment segment = front.segment(index);
+  const Point3 at = front.points()[segment.from];
+  const geom::Box& chart = input.surface.chart();
+  for (double radius = std::max(size, 2.0 * segment.length);; radius *= 2.0) {
+    const Vector wide = reach(middle, radius);
+    if (wide.x >= chart.width() && wide.y >= chart.height()) break;
+    front.near(middle, at, radius, wide, found);
+    if (to_best(index, found, Rule::Closing)) return true;
+  }
+  return to_best(index, front.nodes(), Rule::Closing);
 }
 
 /// Steps iv to vi.
@@ -196,7 +249,7 @@ bool PaperMesher::State::close_corner(SegmentIndex index, double size) {
   if (!(neighbour.length > 0.0)) return false;
   const std::uint32_t far = at_start ? neighbour.from : neighbour.to;
   const std::uint32_t own = at_start ? segment.to : segment.from;
-  if (distance(front.points()[far], front.points()[own]) > size) {
+  if (distance(front.points()[far], front.points()[own]) > options.mouth * size) {
     return halve_corner(index, narrow, at_start, size);
   }
   const Corner corner = front.corner(far);
@@ -213,7 +266,8 @@ bool PaperMesher::State::halve_corner(SegmentIndex index, const PaperFront::Neig
   const std::uint32_t far = at_start ? neighbour.from : neighbour.to;
   const std::uint32_t own = at_start ? segment.to : segment.from;
   const Point3 p = front.points()[far], q = front.points()[own];
-  const Foot foot = closest(input.surface, p + 0.5 * (q - p), geom::midpoint(front.places()[far], front.places()[own]));
+  const Foot foot =
+      foot_near(input.surface, p + 0.5 * (q - p), geom::midpoint(front.places()[far], front.places()[own]));
   Corner middle{foot.uv, foot.at, PaperFront::none};
   bool any = false;
   for (const SegmentIndex base : {index, narrow.segment}) {
@@ -242,14 +296,14 @@ std::optional<Corner> PaperMesher::State::ideal(const Segment& segment, double s
   const Vector3 normal = rise - (dot(rise, base) / square) * base;
   if (!(geom::length(normal) > 0.0)) return std::nullopt;
   const Vector3 v = geom::normalised(normal);
-  constexpr double shrink = 0.9, rounding = 1e-9;
+  constexpr double shrink = 0.9;
   constexpr int most = 60;
-  double height = size;
+  double height = options.height * size;
   Point near = start;
   for (int i = 0; i < most; ++i, height *= shrink) {
-    const Foot foot = closest(input.surface, middle + height * v, near);
+    const Foot foot = foot_near(input.surface, middle + height * v, near);
     near = foot.uv;
-    if (distance(foot.at, middle) <= height * (1.0 + rounding)) return Corner{foot.uv, foot.at, PaperFront::none};
+    if (distance(foot.at, middle) <= height * (1.0 + options.excess)) return Corner{foot.uv, foot.at, PaperFront::none};
   }
   return std::nullopt;
 }
@@ -331,14 +385,16 @@ void PaperMesher::State::finish_front() {
 
 // ---- the mesher
 
+PaperOptions as_printed(PaperOptions options) {
+  options.height = options.sphere = options.mouth = 1.0;
+  return options;
+}
+
 void PaperMesher::Destroy::operator()(State* state) const { delete state; }
 
 Result<PaperMesher> PaperMesher::start(const mesh::ChartInput& input, const PaperOptions& options,
                                        const base::Progress& progress) {
-  if (!(options.phi >= 0.0 && options.phi <= 1.0) || !(options.least_distance >= 0.0) || !(options.largest >= 0.0)) {
-    return Error{ErrorCode::InvalidOption,
-                 "phi must be from 0 to 1, the least distance and the largest size must not be negative"};
-  }
+  DOBRA_TRY_VOID(check_options(options));
   DOBRA_TRY(TriangleMesh border, triangulated_border(input, progress));
   const QuadtreeOptions tree_options{.largest = options.largest > 0.0 ? options.largest : longest_side(input),
                                      .turn = options.turn};

@@ -20,11 +20,22 @@ struct PaperOptions {
   double largest = 0.0;         ///< L: no cell of the quadtree longer, m; 0 takes the longest side of the border.
   double turn = 15.0;           ///< A: most that the normal turns in a cell, degrees.
   double least_distance = 0.3;  ///< Of a new node from other segments, part of H.
-  double corner = 80.0;         ///< Between neighbouring segments: below, the corner is closed, degrees.
-  int passes = 3;               ///< Of smoothing.
-  double phi = 0.75;            ///< Step of smoothing, 0 to 1.
+  /// The text has H itself for the three below, as_printed(): then the triangle that it wants has longer sides than H,
+  /// and its own neighbours stand in its sphere. These are for triangles whose sides are H.
+  double height = 0.8660254037844386;  ///< Of the ideal point over its segment, part of H.
+  double sphere = 0.5;                 ///< Radius in which a node of the front is taken for the ideal point, part of H.
+  double mouth = 2.0;                  ///< A wider corner of the front gets a node in its mouth, part of H.
+  /// The point on the surface may be farther from the segment than asked by this part: over a chord that the surface
+  /// bends away from, every point of it is.
+  double excess = 0.05;
+  double corner = 80.0;                    ///< Between neighbouring segments: below, the corner is closed, degrees.
+  int passes = 3;                          ///< Of smoothing.
+  double phi = 0.75;                       ///< Step of smoothing, 0 to 1.
   std::size_t most_triangles = 5'000'000;  ///< More end in TooManyElements.
 };
+
+/// With H itself for height, sphere and mouth.
+PaperOptions as_printed(PaperOptions options);
 
 /// Which rule of step vi to xiv made a triangle.
 enum class Rule : std::uint8_t {

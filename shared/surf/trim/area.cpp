@@ -15,9 +15,9 @@ using geom::Point;
 namespace {
 
 /// Fifteen places on -1 .. 1 with the weights of Kronrod's rule, and of Gauss's with seven of them.
-struct Rule {
+struct KronrodRule {
   std::array<double, 15> at{}, weight{}, gauss{};
-  Rule() {
+  KronrodRule() {
     using Kronrod = boost::math::quadrature::gauss_kronrod<double, 15>;
     using Gauss = boost::math::quadrature::gauss<double, 7>;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -27,8 +27,8 @@ struct Rule {
     }
   }
 };
-const Rule& rule() {
-  static const Rule made;
+const KronrodRule& kronrod_rule() {
+  static const KronrodRule made;
   return made;
 }
 
@@ -59,13 +59,13 @@ class Strip {
     std::array<Point, 15> uv{};
     std::array<Jet, 15> jets{};
     const double half = 0.5 * (to - from), middle = from + half;
-    for (std::size_t i = 0; i < 15; ++i) uv[i] = {middle + half * rule().at[i], v};
+    for (std::size_t i = 0; i < 15; ++i) uv[i] = {middle + half * kronrod_rule().at[i], v};
     surface_.jets(uv, jets);
     double kronrod = 0.0, gauss = 0.0;
     for (std::size_t i = 0; i < 15; ++i) {
       const double element = geom::length(cross(jets[i].u, jets[i].v));
-      kronrod += rule().weight[i] * element;
-      gauss += rule().gauss[i] * element;
+      kronrod += kronrod_rule().weight[i] * element;
+      gauss += kronrod_rule().gauss[i] * element;
     }
     const Measured alone{half * kronrod, std::abs(half * (kronrod - gauss))};
     constexpr int deepest = 14;
@@ -79,31 +79,31 @@ class Strip {
 };
 
 /// A part of an edge, followed forwards or backwards.
-struct LoopPiece {
+struct LoopPart {
   const ChartEdge* edge = nullptr;
   double from = 0.0, to = 0.0;
   Measured area;
   int depth = 0;
-  bool operator<(const LoopPiece& other) const { return area.error < other.area.error; }
+  bool operator<(const LoopPart& other) const { return area.error < other.area.error; }
 };
 
-void measure(const Strip& strip, LoopPiece& piece) {
+void measure_part(const Strip& strip, LoopPart& piece) {
   const double half = 0.5 * (piece.to - piece.from), middle = piece.from + half;
   double kronrod = 0.0, gauss = 0.0, inner = 0.0;
   for (std::size_t i = 0; i < 15; ++i) {
-    const Curve::Jet jet = piece.edge->curve.jet(middle + half * rule().at[i]);
+    const Curve::Jet jet = piece.edge->curve.jet(middle + half * kronrod_rule().at[i]);
     const double slope = jet.first.y;
     if (slope == 0.0) continue;
     const Measured to_here = strip.to({jet.at.x, jet.at.y});
-    kronrod += rule().weight[i] * slope * to_here.value;
-    gauss += rule().gauss[i] * slope * to_here.value;
-    inner += rule().weight[i] * std::abs(slope) * to_here.error;
+    kronrod += kronrod_rule().weight[i] * slope * to_here.value;
+    gauss += kronrod_rule().gauss[i] * slope * to_here.value;
+    inner += kronrod_rule().weight[i] * std::abs(slope) * to_here.error;
   }
   piece.area = {half * kronrod, std::abs(half) * (std::abs(kronrod - gauss) + inner)};
 }
 
 /// Parameters at which the edge has a break, or passes one of the surface; ends included, in the edge's direction.
-std::vector<double> cuts_of(const Surface& surface, const ChartEdge& edge) {
+std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge) {
   const double low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
   std::vector<double> cuts{low};
   for (const double at : edge.curve.breaks()) {
@@ -138,7 +138,7 @@ std::vector<double> cuts_of(const Surface& surface, const ChartEdge& edge) {
 }
 
 /// Of the box of the loops, roughly.
-double area_of_box(const TrimmedSurface& face) {
+double area_of_loop_box(const TrimmedSurface& face) {
   Box box;
   for (const ChartLoop& loop : face.loops) {
     for (const ChartEdge& edge : loop.edges) {
@@ -159,26 +159,26 @@ double area_of_box(const TrimmedSurface& face) {
 
 Measured area(const TrimmedSurface& face, double tolerance) {
   const Strip strip(face.surface, 0.1 * tolerance);
-  std::priority_queue<LoopPiece> pieces;
+  std::priority_queue<LoopPart> pieces;
   Measured sum;
-  const auto add = [&](LoopPiece piece) {
-    measure(strip, piece);
+  const auto add = [&](LoopPart piece) {
+    measure_part(strip, piece);
     sum.value += piece.area.value;
     sum.error += piece.area.error;
     pieces.push(piece);
   };
   for (const ChartLoop& loop : face.loops) {
     for (const ChartEdge& edge : loop.edges) {
-      const std::vector<double> cuts = cuts_of(face.surface, edge);
+      const std::vector<double> cuts = part_cuts_of(face.surface, edge);
       for (std::size_t i = 1; i < cuts.size(); ++i) add({&edge, cuts[i - 1], cuts[i], {}, 0});
     }
   }
   constexpr double thin = 1e-3;
   constexpr std::size_t most = 20'000;
   constexpr int deepest = 40;
-  const double least = thin * area_of_box(face);
+  const double least = thin * area_of_loop_box(face);
   while (!pieces.empty() && pieces.size() < most && sum.error > tolerance * std::max(std::abs(sum.value), least)) {
-    const LoopPiece worst = pieces.top();
+    const LoopPart worst = pieces.top();
     pieces.pop();
     if (worst.depth == deepest) continue;  // its error stays in the sum
     sum.value -= worst.area.value;

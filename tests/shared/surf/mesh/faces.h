@@ -47,6 +47,15 @@ inline Division divided(std::span<const trim::TrimmedSurface> surfaces, const Di
   return *std::move(result);
 }
 
+/// The input of one face, its border divided by halving.
+inline ChartInput halved(const trim::TrimmedSurface& face, double largest, double turn) {
+  DivisionOptions options;
+  options.kind = DivisionKind::Halving;
+  options.sizes.largest = largest;
+  options.sizes.turn = turn;
+  return divided({&face, 1}, options).faces[0];
+}
+
 /// The sides of a set of a chart.
 inline std::size_t count_of(const ChartInput& input, const std::string& name) {
   std::size_t count = 0;
