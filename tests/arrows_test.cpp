@@ -42,6 +42,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/fem/error", {"shared/fem"}},
       {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
+      {"shared/scene/space", {"shared/scene"}},
       {"shared/canvas", {"shared/scene"}},
       {"shared/io", {"shared/geom"}},
       {"shared/io/lines", {"shared/io"}},
@@ -51,8 +52,8 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/io/faces", {"shared/io/brep", "shared/surf/mesh"}},
       {"shared/io/meshes", {"shared/io", "shared/mesh/delaunay"}},
       {"shared/io/formats", {"shared/io/gis", "shared/io/drawings", "shared/io/meshes"}},
-      {"shared/scenario", {"shared/io", "shared/scene"}},
-      {"shared/render", {"shared/scene", "shared/io"}},
+      {"shared/scenario", {"shared/io", "shared/scene/space"}},
+      {"shared/render", {"shared/scene/space", "shared/io"}},
       {"shared/scenario/lines", {"shared/scenario", "shared/io/formats"}},
       {"shared/operations", {"shared/scenario/lines", "shared/offset"}},
       {"shared/cli", {"shared/render", "shared/operations"}},
@@ -71,11 +72,13 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/gui/sheet", {"shared/canvas", "shared/gui/theme"}},
       {"shared/gui/vertices", {"shared/gui/documents", "shared/canvas", "shared/gui/words"}},
       {"shared/gui/importing", {"shared/scenario/lines", "shared/gui/theme", "shared/gui/words"}},
+      {"shared/gui/stage",
+       {"shared/gui/words", "shared/gui/frames", "shared/gui/theme", "shared/canvas", "shared/render"}},
       {"shared/gui",
-       {"shared/gui/words", "shared/gui/documents", "shared/gui/frames", "shared/gui/numbers", "shared/gui/labels",
-        "shared/gui/mending", "shared/gui/actions", "shared/gui/theme", "shared/gui/view", "shared/gui/vertices",
-        "shared/gui/sheet", "shared/gui/catalogue", "shared/gui/importing", "shared/gui/heard", "shared/gui/welcome",
-        "shared/render", "shared/scenario", "shared/canvas"}},
+       {"shared/gui/stage", "shared/gui/words", "shared/gui/documents", "shared/gui/frames", "shared/gui/numbers",
+        "shared/gui/labels", "shared/gui/mending", "shared/gui/actions", "shared/gui/theme", "shared/gui/view",
+        "shared/gui/vertices", "shared/gui/sheet", "shared/gui/catalogue", "shared/gui/importing", "shared/gui/heard",
+        "shared/gui/welcome", "shared/render", "shared/scenario", "shared/canvas"}},
       {"recon/section", {"shared/topo", "shared/scene"}},
       {"recon/input", {"recon/section", "recon/faults", "shared/scenario/lines"}},
       {"recon/maps", {"shared/geom"}},
@@ -117,7 +120,7 @@ std::string folder_of(const std::string& path) { return fs::path(path).parent_pa
 
 /// Only these may see the toolkits.
 bool may_include_gdal(const std::string& folder) { return folder == "shared/io/gis"; }
-bool may_include_vtk(const std::string& folder) { return folder == "shared/render" || folder == "shared/gui"; }
+bool may_include_vtk(const std::string& folder) { return folder == "shared/render" || folder == "shared/gui/stage"; }
 bool may_include_qt(const std::string& folder) { return folder.starts_with("shared/gui") || folder.ends_with("/gui"); }
 
 /// The name between the quotes or angle brackets of an #include line.

@@ -5997,6 +5997,80 @@
     <message>
         <source>N/m</source>
         <translation>N/m</translation>
+        <source>Picture in space</source>
+        <translation>Figura no espaço</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn, with Shift they move; + and - zoom, F shows all, 1 to 8 look from the usual sides, Return tells what is in the middle.</source>
+        <translation>As setas giram, com Shift deslocam; + e - aproximam e afastam, F mostra tudo, de 1 a 8 olham dos lados usuais, Enter diz o que está no meio.</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>No espaço</translation>
+    </message>
+    <message>
+        <source>View in &amp;space</source>
+        <translation>Vista no e&amp;spaço</translation>
+    </message>
+    <message>
+        <source>Beside the plane</source>
+        <translation>Ao lado do plano</translation>
+    </message>
+    <message>
+        <source>The plane alone</source>
+        <translation>Só o plano</translation>
+    </message>
+    <message>
+        <source>Space alone</source>
+        <translation>Só o espaço</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>De &amp;frente</translation>
+    </message>
+    <message>
+        <source>From the &amp;top</source>
+        <translation>De &amp;cima</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>Da &amp;direita</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isométrica</translation>
+    </message>
+    <message>
+        <source>&amp;Dimetric</source>
+        <translation>Di&amp;métrica</translation>
+    </message>
+    <message>
+        <source>&amp;Cavalier</source>
+        <translation>Ca&amp;valeira</translation>
+    </message>
+    <message>
+        <source>Ca&amp;binet</source>
+        <translation>Ga&amp;binete</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspectiva</translation>
+    </message>
+    <message>
+        <source>Fit the view in space</source>
+        <translation>Ajustar a vista no espaço</translation>
+    </message>
+    <message>
+        <source>&amp;Save the picture in space...</source>
+        <translation>&amp;Salvar a figura no espaço...</translation>
+    </message>
+    <message>
+        <source>Save the picture in space</source>
+        <translation>Salvar a figura no espaço</translation>
+    </message>
+    <message>
+        <source>there is no picture in space; run a scenario that has one</source>
+        <translation>não há figura no espaço; execute um cenário que tenha uma</translation>
     </message>
 </context>
 </TS>

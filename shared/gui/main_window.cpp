@@ -11,6 +11,7 @@
 #include <QPointer>
 #include <QScreen>
 #include <QSettings>
+#include <QSplitter>
 #include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -30,6 +31,7 @@
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
@@ -85,10 +87,11 @@ void MainWindow::make_center() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   error_bar_ = new mending::ErrorBar(center);
-  view_ = new VtkWidget(center);
+  views_ = new QSplitter(Qt::Horizontal, center);
+  view_ = new VtkWidget(views_);
   column->addWidget(error_bar_);
   make_taken_in_bar(*column);
-  column->addWidget(view_, 1);
+  column->addWidget(views_, 1);
   welcome_ = new welcome::Page(QString::fromStdString(program_.title),
                                part_.about.empty() ? QString() : text(part_.about.c_str()), part_.examples, center);
   welcome_->hide();
@@ -132,10 +135,12 @@ void MainWindow::make_center() {
   connect(canvas_, &Canvas::taken_in, this,
           [this](const std::vector<std::string>& files) { taken_in_bar_->say(files, session_.document()); });
   connect(canvas_, &Canvas::over_line, this, [this](const QString& dip) { status_->show_dip(dip); });
+  make_space_view();
 }
 
 void MainWindow::show_canvas() {
   view_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
+  if (space_ != nullptr) space_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
   hint_->setStyleSheet("font-size: 12pt; color: " + view_->colors().quiet.name());
 }
 
@@ -156,7 +161,9 @@ void MainWindow::changeEvent(QEvent* event) {
     show_form();
     if (!session_.outcome()) return;
     results_->show_outcome(*session_.outcome());
-    layers_->show_picture(picture_shown());
+    scene::Picture listed = picture_shown();
+    (void)space_shown(listed);
+    layers_->show_picture(listed);
   });
 }
 
@@ -226,9 +233,10 @@ void MainWindow::make_docks() {
   connect(vertices_, &vertices::VertexPanel::selected, canvas_, &Canvas::select);
   connect(vertices_, &vertices::VertexPanel::edited, canvas_, qOverload<const canvas::Edited&>(&Canvas::carry_out));
   connect(vertices_, &vertices::VertexPanel::told, canvas_, &Canvas::say);
-  connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
   connect(layers_, &LayerTree::visibility_changed, this,
-          [this](const std::string&, const std::string& layer, bool visible) {
+          [this](const std::string& panel, const std::string& layer, bool visible) {
+            if (panel == scene::space::panel_key) return space_->set_layer_visible(layer, visible);
+            view_->set_layer_visible(panel, layer, visible);
             canvas_->set_layer_hidden(layer, !visible);
           });
 }
@@ -361,6 +369,7 @@ void MainWindow::show_document() {
   show_undo();
   if (session_.outcome() == nullptr) {
     if (documents::is_blank(document, program_)) show_nothing();
+    show_space(std::nullopt);
     layers_->show_picture({});
     status_->show_state({});
     error_bar_->clear();
@@ -461,7 +470,9 @@ void MainWindow::show_picture() {
   if (!session_.outcome()) return;
   const auto picture = std::make_shared<const scene::Picture>(picture_shown());
   const scene::Picture wanted = layers_->chosen(*picture);
-  layers_->show_picture(wanted);
+  scene::Picture listed = wanted;
+  show_space(space_shown(listed));
+  layers_->show_picture(listed);
   if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more
   view_->set_picture(wanted, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
   canvas_->show_outcome(picture);

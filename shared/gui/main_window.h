@@ -17,6 +17,7 @@
 
 class QBoxLayout;
 class QDockWidget;
+class QSplitter;
 class QLabel;
 class QMenu;
 class QSettings;
@@ -34,6 +35,9 @@ class Results;
 class VtkWidget;
 namespace importing {
 class TakenInBar;
+}
+namespace stage {
+class SpaceWidget;
 }
 namespace view {
 class ExaggerationBox;
@@ -88,6 +92,8 @@ class MainWindow : public QMainWindow {
   void select(std::size_t part);
   /// Takes back the last point of what is being drawn, else the last edit. @return false if there is neither.
   bool undo();
+  /// SVG, PDF and PNG of what stands in space, as it is looked at.
+  base::Result<void> save_space_picture(const std::filesystem::path& file);
   /// "input", "result", "both"; remembered. @return false if it is none of them.
   bool look_at(const QString& what);
 
@@ -96,6 +102,7 @@ class MainWindow : public QMainWindow {
   /// The step that the player would show: the one selected, else the last that can be watched; 0 if there is none.
   [[nodiscard]] std::size_t watched_part() const;
   [[nodiscard]] VtkWidget& view() { return *view_; }
+  [[nodiscard]] stage::SpaceWidget& space() { return *space_; }
   [[nodiscard]] Canvas& canvas() { return *canvas_; }
   [[nodiscard]] DrawBar& draw_bar() { return *draw_bar_; }
   [[nodiscard]] actions::Registry& actions() { return actions_; }
@@ -141,6 +148,16 @@ class MainWindow : public QMainWindow {
                        std::function<bool()> is_on);
   void set_exaggeration(const std::optional<double>& exaggeration);
   void show_look();
+  /// The view in space, its actions, and what picking links in both views.
+  void make_space_view();
+  void add_space_actions();
+  [[nodiscard]] bool has_space() const;
+  /// Of the last run, as the list of layers has it; adds its layers to the `listed`.
+  [[nodiscard]] std::optional<scene::space::SpacePicture> space_shown(scene::Picture& listed) const;
+  void show_space(const std::optional<scene::space::SpacePicture>& picture);
+  void show_views();
+  void point_at(const stage::ItemAt& item);
+  void ask_save_space_picture();
   [[nodiscard]] scene::Picture picture_shown() const;
   /// Whether the program has an operation that can be watched at work.
   [[nodiscard]] bool can_watch() const;
@@ -211,6 +228,9 @@ class MainWindow : public QMainWindow {
   actions::Registry actions_;
   actions::Palette* palette_ = nullptr;
   VtkWidget* view_ = nullptr;
+  stage::SpaceWidget* space_ = nullptr;
+  QSplitter* views_ = nullptr;
+  enum class Views { Both, Plane, Space } looked_at_ = Views::Both;  ///< Where there is a picture in space.
   Canvas* canvas_ = nullptr;
   DrawBar* draw_bar_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.

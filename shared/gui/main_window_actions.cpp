@@ -22,6 +22,7 @@
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 
@@ -279,8 +280,9 @@ void MainWindow::add_view_actions() {
                 .bar = main_bar,
                 .symbol = Symbol::Fit,
                 .keys = {QKeySequence(Qt::Key_F)},
-                .run = [this] { view_->fit(); }});
+                .run = [this] { space_->hasFocus() || !view_->isVisible() ? space_->fit() : view_->fit(); }});
   add_look_actions();
+  add_space_actions();
   const QString kept = settings().value(shown_key, "result").toString();
   const auto add = [&](documents::Shown shown, const char* words, int key, Symbol symbol) {
     if (kept == name_of(shown)) shown_ = shown;

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
+#include <QSplitter>
 #include <QToolBar>
 #include <algorithm>
 #include <set>
@@ -25,6 +26,7 @@
 #include "shared/gui/mending/page.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/gui/welcome/page.h"
@@ -111,7 +113,7 @@ void MainWindow::show_mending(const std::filesystem::path& file, const std::stri
   error_bar_->clear();  // the page says it
   mending_->show_file(file, text, error, in_words(error));
   welcome_->hide();
-  view_->hide();
+  views_->hide();
   mending_->show();
 }
 
@@ -138,7 +140,7 @@ void MainWindow::save_mended() {
 void MainWindow::leave_mending() {
   if (mending_->isHidden()) return;
   mending_->hide();
-  view_->show();
+  views_->show();
   view_->setFocus();
 }
 
@@ -169,7 +171,7 @@ void MainWindow::begin_new() {
 void MainWindow::welcome() {
   mending_->hide();
   welcome_->show_recent(recent_files());
-  view_->hide();
+  views_->hide();
   welcome_->show();
   welcome_->take_focus();
 }
@@ -177,7 +179,7 @@ void MainWindow::welcome() {
 void MainWindow::leave_welcome() {
   if (welcome_->isHidden()) return;
   welcome_->hide();
-  view_->show();
+  views_->show();
   view_->setFocus();
 }
 
@@ -241,10 +243,12 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
   view_->come_to_rest();
+  space_->come_to_rest();
   const QImage image = grab().toImage();
   const double ratio = image.devicePixelRatio();
-  const QPoint corner = view_->mapTo(this, QPoint(0, 0));
-  const QRect part(corner * ratio, view_->size() * ratio);
+  const QWidget* seen = view_->isHidden() ? static_cast<QWidget*>(space_) : view_;
+  const QPoint corner = seen->mapTo(this, QPoint(0, 0));
+  const QRect part(corner * ratio, seen->size() * ratio);
   std::set<QRgb> colors;
   for (int y = part.top(); y <= part.bottom() && colors.size() < 2; y += 2) {
     for (int x = part.left(); x <= part.right(); x += 2) colors.insert(image.pixel(x, y));
@@ -308,6 +312,22 @@ void MainWindow::ask_save_picture() {
                                  importing::filter_of({"Pictures", {endings.begin(), endings.end()}}), endings.front());
   if (!chosen) return;
   const base::Result<void> written = save_picture(*chosen);
+  if (written)
+    status_->show_state(text("Saved %1").arg(from_path(*chosen)));
+  else
+    show_error(written.error());
+}
+
+void MainWindow::ask_save_space_picture() {
+  const auto& endings = render::picture_endings;
+  std::filesystem::path proposed = session_.document().file;
+  if (proposed.empty()) proposed = session_.document().folder() / "picture";
+  proposed.replace_filename(proposed.stem().string() + "_space");
+  proposed.replace_extension(endings.front());
+  const auto chosen = ask_target(this, text("Save the picture in space"), proposed,
+                                 importing::filter_of({"Pictures", {endings.begin(), endings.end()}}), endings.front());
+  if (!chosen) return;
+  const base::Result<void> written = save_space_picture(*chosen);
   if (written)
     status_->show_state(text("Saved %1").arg(from_path(*chosen)));
   else

@@ -7,6 +7,7 @@
 #include "shared/gui/canvas.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/view/exaggeration_box.h"
 #include "shared/gui/vtk_widget.h"
@@ -48,6 +49,7 @@ void MainWindow::add_look_switch(const char* name, const char* title, QKeySequen
 void MainWindow::add_look_actions() {
   look_ = view::remembered(settings());
   view_->set_settings(look_);
+  space_->set_exaggeration(look_.exaggeration.value_or(1.0));
   connect(canvas_, &Canvas::hide_asked, this, [this](const QString& panel, const QString& layer) {
     layers_->set_layer_visible((panel + "/" + layer).toStdString(), false);
   });
@@ -138,6 +140,7 @@ void MainWindow::show_look() {
       (view::remembered(kept).panels == view::Panels::Overlay) != (look_.panels == view::Panels::Overlay);
   view::remember(look_, kept);
   view_->set_settings(look_);
+  space_->set_exaggeration(look_.exaggeration.value_or(1.0));
   actions_.refresh();
   if (!ghost || !session_.outcome()) return;
   fit_next_ = true;

@@ -1,25 +1,19 @@
-// What was tried (see docs/architecture.md, facts about the platform): Debian's VTK-Qt library is built for Qt 5, so a
-// QOpenGLWidget owns a vtkGenericOpenGLRenderWindow that draws into the widget's framebuffer. Pages of VtkScene are in
-// device-independent pixels, just as Qt's mouse positions; only the size of the render window is in device pixels.
 #include "shared/gui/vtk_widget.h"
 
-#include <QOpenGLContext>
 #include <algorithm>
 #include <cmath>
 
 #include "shared/base/check.h"
 #include "shared/gui/text.h"
-#include "shared/gui/vtk_widget_scene.h"
+#include "shared/render/vtk_scene.h"
 
 namespace dobra::gui {
 
 namespace {
 
-constexpr int at_rest = 200;             ///< Milliseconds after the last movement of the view.
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
 constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
-constexpr double slow_frame = 25.0;  ///< Milliseconds: where the layers take more, the view moves their last frame.
 const scene::Color marker_color{0xd0, 0x10, 0x10};
 
 /// The panel with its extent fixed to that of all its layers: hiding one does not move the others.
@@ -44,70 +38,29 @@ geom::Point page_point(QPointF pixel) { return {pixel.x(), pixel.y()}; }
 
 }  // namespace
 
-VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
+VtkWidget::VtkWidget(QWidget* parent) : stage::VtkFrames(parent) {
   setMouseTracking(true);
-  setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(text("Picture"));
   setAccessibleDescription(text("Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans."));
   setMinimumSize(320, 240);
   setCursor(Qt::CrossCursor);
   clock_.start();
-  rest_.setSingleShot(true);
-  rest_.setInterval(at_rest);
-  connect(&rest_, &QTimer::timeout, this, &VtkWidget::come_to_rest);
-  connect(&parts_, &QTimer::timeout, this, &VtkWidget::draw_part);
-  connect(&bench_, &frames::Bench::arrived, this, [this] {
-    if (!scene_) return;
-    makeCurrent();
-    scene_->scene.arrive();
-    doneCurrent();
-    frame_is_true_ = false;
-    redraw();
-  });
-  new frames::MeterLabel(meter_, this);
-  connect(this, &QOpenGLWidget::frameSwapped, &meter_, &frames::Meter::count_frame);
 }
 
-VtkWidget::~VtkWidget() {
-  // QOpenGLWidget destroys the context after this class is gone.
-  if (context() != nullptr) context()->disconnect(this);
-  release();
+VtkWidget::~VtkWidget() { shut(); }
+
+std::unique_ptr<render::VtkStage> VtkWidget::make_stage(vtkRenderWindow& window) {
+  auto scene = std::make_unique<render::VtkScene>(window);
+  scene_ = scene.get();
+  return scene;
 }
 
-void VtkWidget::release() {
-  if (!scene_) return;
-  makeCurrent();
-  parts_.stop();
-  bench_.clear();
-  scene_.reset();
-  shown_.reset();
-  drawing_.reset();
-  is_drawn_ = false;
-  doneCurrent();
-}
-
-void VtkWidget::initializeGL() {
-  scene_ = std::make_unique<Scene>(*this);
-  scene_->scene.set_ground(colors().ground);
-  scene_->scene.make_later([this](render::VtkScene::Work work) { bench_.post(std::move(work)); });
-  // The context may go and come again (another top-level window); what is on the card goes with it.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release, Qt::UniqueConnection);
+void VtkWidget::stage_made() {
+  scene_->set_ground(colors().ground);
   show_picture();
 }
 
-void VtkWidget::resizeGL(int, int) {
-  relayout();
-  frame_is_true_ = false;
-  fill_canvas();
-  redraw();
-}
-
-void VtkWidget::relayout() {
-  if (!scene_) return;
-  const double ratio = devicePixelRatioF();
-  scene_->scene.resize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)),
-                       ratio);
-}
+void VtkWidget::stage_goes() { scene_ = nullptr; }
 
 void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
   for (scene::Panel& panel : picture.panels) fix_extent(panel);
@@ -145,7 +98,7 @@ void VtkWidget::set_canvas(theme::Canvas canvas) {
   canvas_ = canvas;
   if (!scene_) return;
   makeCurrent();
-  scene_->scene.set_ground(colors().ground);
+  scene_->set_ground(colors().ground);
   doneCurrent();
   show_marker();
 }
@@ -153,21 +106,20 @@ void VtkWidget::set_canvas(theme::Canvas canvas) {
 void VtkWidget::show_picture() {
   if (!scene_) return;
   const auto begin = frames::Meter::Clock::now();
-  if (parts_.isActive()) ++unseen_;
-  frame_is_true_ = false;
+  give_way();
   makeCurrent();
   hurry();
   {
-    const render::VtkScene::Changes changes(scene_->scene);
-    scene_->scene.set_picture(picture_);
-    scene_->scene.set_views(views_);
-    scene_->scene.set_options(view::with(settings_, scene_->scene.options()));
+    const render::VtkScene::Changes changes(*scene_);
+    scene_->set_picture(picture_);
+    scene_->set_views(views_);
+    scene_->set_options(view::with(settings_, scene_->options()));
     relayout();
     mark_place();
   }
   fill_plots();
   doneCurrent();
-  meter_.add(frames::Part::Actors, frames::Meter::milliseconds_since(begin));
+  meter().add(frames::Part::Actors, frames::Meter::milliseconds_since(begin));
   redraw();
   emit view_changed();
 }
@@ -201,18 +153,18 @@ void VtkWidget::fill_canvas() {
 bool VtkWidget::fill_plots() {
   if (settings_.exaggeration) return false;
   const bool whole = std::none_of(views_.begin(), views_.end(), [](const auto& view) { return view.has_value(); });
-  if (!whole || scene_->scene.layout().panels.size() != picture_.panels.size()) return false;
+  if (!whole || scene_->layout().panels.size() != picture_.panels.size()) return false;
   std::vector<geom::Box> plots;
-  for (const scene::PanelLayout& panel : scene_->scene.layout().panels) plots.push_back(panel.plot);
+  for (const scene::PanelLayout& panel : scene_->layout().panels) plots.push_back(panel.plot);
   filling_ = view::that_fills(picture_.panels, plots);
   if (!dress()) return false;
   {
-    const render::VtkScene::Changes changes(scene_->scene);
-    scene_->scene.set_picture(picture_);
-    scene_->scene.set_views(views_);
+    const render::VtkScene::Changes changes(*scene_);
+    scene_->set_picture(picture_);
+    scene_->set_views(views_);
     mark_place();
   }
-  frame_is_true_ = false;
+  forget_frame();
   emit exaggerated(filling_);
   return true;
 }
@@ -225,7 +177,7 @@ void VtkWidget::make_alike(scene::Picture& picture) const {
   if (settings_.panels == view::Panels::Column) picture.arrangement = scene::Arrangement::Column;
   if (!scene_ || all_is_seen()) return;
   for (std::size_t i = 0; i < std::min(picture.panels.size(), panel_count()); ++i) {
-    const scene::PanelLayout& here = scene_->scene.layout().panels[i];
+    const scene::PanelLayout& here = scene_->layout().panels[i];
     if (picture.panels[i].key == picture_.panels[i].key) picture.panels[i].extent = here.transform.to_world(here.plot);
   }
 }
@@ -234,7 +186,7 @@ bool VtkWidget::all_is_seen() const {
   for (std::size_t i = 0; i < views_.size(); ++i) {
     const std::optional<geom::Box>& extent = picture_.panels[i].extent;
     if (!views_[i] || !extent) continue;
-    const scene::PanelLayout& panel = scene_->scene.layout().panels[i];
+    const scene::PanelLayout& panel = scene_->layout().panels[i];
     const geom::Box seen = panel.transform.to_world(panel.plot);
     if (!seen.grown(1e-6 * extent->diagonal()).contains(extent->low)) return false;
     if (!seen.grown(1e-6 * extent->diagonal()).contains(extent->high)) return false;
@@ -263,7 +215,7 @@ void VtkWidget::show_marker() {
   if (!scene_) return;
   makeCurrent();
   {
-    const render::VtkScene::Changes changes(scene_->scene);
+    const render::VtkScene::Changes changes(*scene_);
     mark_place();
   }
   doneCurrent();
@@ -275,12 +227,13 @@ void VtkWidget::show_marker() {
 void VtkWidget::mark_place() {
   for (std::size_t i = 0; i < picture_.panels.size(); ++i) {
     std::vector<scene::Layer> layers;
+    if (marked_) layers = scene::highlight(picture_.panels[i], *marked_);
     if (place_ && i == panel_of(*place_)) {
-      layers = {marker_layer("gui.place.rim", *place_, marker_color, 18.0),
-                marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0),
-                marker_layer("gui.place.point", *place_, marker_color, 5.0)};
+      layers.push_back(marker_layer("gui.place.rim", *place_, marker_color, 18.0));
+      layers.push_back(marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0));
+      layers.push_back(marker_layer("gui.place.point", *place_, marker_color, 5.0));
     }
-    scene_->scene.set_overlay(i, layers);
+    scene_->set_overlay(i, layers);
   }
 }
 
@@ -293,9 +246,9 @@ void VtkWidget::set_layer_visible(const std::string& panel_key, const std::strin
   }
   if (!scene_) return;
   makeCurrent();
-  scene_->scene.set_layer_visible(panel_key, layer_key, visible);
+  scene_->set_layer_visible(panel_key, layer_key, visible);
   doneCurrent();
-  frame_is_true_ = false;
+  forget_frame();
   redraw();
 }
 
@@ -304,7 +257,7 @@ void VtkWidget::fit() {
   std::fill(views_.begin(), views_.end(), std::nullopt);
   if (!scene_) return;
   makeCurrent();
-  scene_->scene.set_views(views_);
+  scene_->set_views(views_);
   fill_plots();
   doneCurrent();
   redraw();
@@ -314,7 +267,7 @@ void VtkWidget::fit() {
 void VtkWidget::zoom(double factor, QPointF at) {
   if (!scene_ || picture_.panels.empty()) return;
   const std::optional<Spot> spot = spot_at(at);
-  std::vector<scene::View> views = scene_->scene.views();
+  std::vector<scene::View> views = scene_->views();
   double size = 0.0;
   for (const scene::Panel& panel : picture_.panels) {
     if (panel.extent) size = std::max(size, panel.extent->diagonal());
@@ -334,7 +287,7 @@ void VtkWidget::pan(QPointF from, QPointF by) {
   const std::optional<Spot> spot = spot_at(from);
   if (!spot) return;
   remember(view::Move::Glide);
-  const std::vector<scene::View> views = scene_->scene.views();
+  const std::vector<scene::View> views = scene_->views();
   const double exaggeration = picture_.panels[spot->panel].vertical_exaggeration;
   const geom::Vector moved =
       scene::pan(views[spot->panel], {by.x(), by.y()}, exaggeration).centre - views[spot->panel].centre;
@@ -357,8 +310,8 @@ void VtkWidget::look_at(std::size_t panel, const geom::Box& box) {
   const geom::Point middle = box.centre();
   if (box.empty() || !std::isfinite(middle.x) || !std::isfinite(middle.y)) return;
   remember(view::Move::Jump);
-  const std::vector<scene::View> views = scene_->scene.views();
-  const geom::Box& plot = scene_->scene.layout().panels[panel].plot;
+  const std::vector<scene::View> views = scene_->views();
+  const geom::Box& plot = scene_->layout().panels[panel].plot;
   const double exaggeration = picture_.panels[panel].vertical_exaggeration;
   double scale = views[panel].world_per_point;
   if (box.width() > 0.0 || box.height() > 0.0)
@@ -409,32 +362,14 @@ bool VtkWidget::look_forward() {
 
 geom::Vector VtkWidget::tick_step(std::size_t panel) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());
-  return scene_->scene.layout().panels[panel].tick_step;
-}
-
-/// Smoothing costs about as much as all the rest of a frame: it comes with the view at rest.
-void VtkWidget::hurry() {
-  scene_->window->SetMultiSamples(0);
-  rest_.start();
-}
-
-void VtkWidget::come_to_rest() {
-  rest_.stop();
-  if (!scene_ || parts_.isActive()) return;
-  scene_->window->SetMultiSamples(render::samples_a_pixel);
-  if (lacks_full_frame()) return update();
-  makeCurrent();
-  scene_->scene.let_go();
-  doneCurrent();
-  redraw();
+  return scene_->layout().panels[panel].tick_step;
 }
 
 void VtkWidget::move_views() {
   makeCurrent();
   hurry();
-  // What is drawn in parts is not what is seen.
-  if (full_frame_ms_ > slow_frame && frame_is_true_ && !scene_->scene.draws_parts()) scene_->scene.hold_frame();
-  scene_->scene.set_views(views_);
+  hold_if_slow();
+  scene_->set_views(views_);
   doneCurrent();
   redraw();
   emit view_changed();
@@ -446,13 +381,13 @@ void VtkWidget::show_place(geom::Point place) {
   remember(view::Move::Jump);
   const std::size_t panel = panel_of(place);
   const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
-  const std::vector<scene::View> views = scene_->scene.views();
-  const double scale = place_fraction * size / std::max(scene_->scene.layout().panels[panel].plot.width(), 1.0);
+  const std::vector<scene::View> views = scene_->views();
+  const double scale = place_fraction * size / std::max(scene_->layout().panels[panel].plot.width(), 1.0);
   for (std::size_t i = 0; i < views.size(); ++i) {
     views_[i] = scene::View{i == panel ? place : views[i].centre, scale > 0.0 ? scale : views[i].world_per_point};
   }
   makeCurrent();
-  scene_->scene.set_views(views_);
+  scene_->set_views(views_);
   doneCurrent();
   show_marker();
 }
@@ -463,38 +398,40 @@ void VtkWidget::clear_place() {
   show_marker();
 }
 
+void VtkWidget::mark(const std::optional<scene::Pick>& pick) {
+  if (!pick && !marked_) return;
+  marked_ = pick;
+  show_marker();
+}
+
 scene::View VtkWidget::view(std::size_t panel) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());
-  return scene_->scene.views()[panel];
+  return scene_->views()[panel];
 }
 
 std::optional<VtkWidget::Spot> VtkWidget::spot_at(QPointF pixel) const {
   if (!scene_) return std::nullopt;
-  const std::optional<std::size_t> panel = scene_->scene.panel_at(page_point(pixel));
+  const std::optional<std::size_t> panel = scene_->panel_at(page_point(pixel));
   if (!panel || *panel >= picture_.panels.size()) return std::nullopt;
-  return Spot{*panel, scene_->scene.layout().panels[*panel].transform.to_world(page_point(pixel))};
+  return Spot{*panel, scene_->layout().panels[*panel].transform.to_world(page_point(pixel))};
 }
 
 void VtkWidget::hold() {
   if (!scene_) return;
   held_ = held_ || std::none_of(views_.begin(), views_.end(), [](const auto& view) { return view.has_value(); });
-  const std::vector<scene::View> views = scene_->scene.views();
+  const std::vector<scene::View> views = scene_->views();
   for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
-}
-
-bool VtkWidget::is_settled() const {
-  return !scene_ || (!scene_->scene.is_waiting() && bench_.is_idle() && !(isVisible() && lacks_full_frame()));
 }
 
 QRectF VtkWidget::plot(std::size_t panel) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());
-  const geom::Box& box = scene_->scene.layout().panels[panel].plot;
+  const geom::Box& box = scene_->layout().panels[panel].plot;
   return {box.low.x, box.low.y, box.width(), box.height()};
 }
 
 QPointF VtkWidget::pixel_of(std::size_t panel, geom::Point at) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());
-  const geom::Point page = scene_->scene.layout().panels[panel].transform.to_page(at);
+  const geom::Point page = scene_->layout().panels[panel].transform.to_page(at);
   return {page.x, page.y};
 }
 

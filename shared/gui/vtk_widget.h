@@ -4,26 +4,26 @@
 
 #include <QCursor>
 #include <QElapsedTimer>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLWidget>
-#include <QTimer>
 #include <memory>
 #include <optional>
 
-#include "shared/gui/frames/bench.h"
-#include "shared/gui/frames/meter.h"
+#include "shared/gui/stage/vtk_frames.h"
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/view/history.h"
 #include "shared/gui/view/settings.h"
 #include "shared/scene/pick.h"
 #include "shared/scene/view.h"
 
+namespace dobra::render {
+class VtkScene;
+}
+
 namespace dobra::gui {
 
 /// What a new picture does to the views.
 enum class Looking { AtAll, WhereItDid };
 
-class VtkWidget : public QOpenGLWidget {
+class VtkWidget : public stage::VtkFrames {
   Q_OBJECT
 
  public:
@@ -65,28 +65,22 @@ class VtkWidget : public QOpenGLWidget {
   /// Puts a marker at a point of the first panel that can show it, and zooms there.
   void show_place(geom::Point place);
   void clear_place();
+  /// Marks the items of that layer and identity, in whichever panels there are any; nothing: none.
+  void mark(const std::optional<scene::Pick>& pick);
+  [[nodiscard]] const std::optional<scene::Pick>& marked() const { return marked_; }
 
   /// What a panel shows. @pre panel < number of panels
   [[nodiscard]] scene::View view(std::size_t panel) const;
   [[nodiscard]] std::size_t panel_count() const { return picture_.panels.size(); }
+  [[nodiscard]] const std::string& panel_key(std::size_t panel) const { return picture_.panels[panel].key; }
   /// The point of the model under a pixel, with the number of its panel; nothing outside the plots.
   struct Spot {
     std::size_t panel = 0;
     geom::Point at;
   };
   [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
-  /// The next frame is that of a view at rest: smoothed.
-  void come_to_rest();
   /// New pictures are looked at where this one is now, also where all of it is shown.
   void hold();
-  /// Whether it can be drawn, so that places have pixels.
-  [[nodiscard]] bool is_ready() const { return scene_ != nullptr; }
-  /// All of the picture is shown as it is, in all its detail.
-  [[nodiscard]] bool is_settled() const;
-  /// How often the page was laid out.
-  [[nodiscard]] std::size_t arrangements() const;
-  /// Where the time of the frames goes.
-  [[nodiscard]] frames::Meter& meter() { return meter_; }
   /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()
   [[nodiscard]] QRectF plot(std::size_t panel) const;
   [[nodiscard]] double exaggeration(std::size_t panel) const { return picture_.panels[panel].vertical_exaggeration; }
@@ -102,13 +96,17 @@ class VtkWidget : public QOpenGLWidget {
   /// What the picture is drawn with where the settings leave it open.
   void exaggerated(double exaggeration);
   void picked(const QString& what);
+  /// The item that was clicked, with its place; nothing: there is none.
+  void picked_item(std::size_t panel, const std::optional<dobra::scene::Pick>& pick, dobra::geom::Point at);
   /// Other places of the model stand in other pixels, or another picture is shown.
   void view_changed();
 
  protected:
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  std::unique_ptr<render::VtkStage> make_stage(vtkRenderWindow& window) override;
+  void stage_made() override;
+  void stage_goes() override;
+  void resized() override { fill_canvas(); }
+  [[nodiscard]] scene::Color paper() const override { return colors().ground.paper; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -117,17 +115,13 @@ class VtkWidget : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  struct Scene;
-  void release();
   void show_picture();
   void show_marker();
   void mark_place();
   [[nodiscard]] std::size_t panel_of(geom::Point place) const;
-  void relayout();
   void pick(QPointF pixel);
   void show_cursor();
   void pan_by_key(int right, int up);
@@ -142,21 +136,6 @@ class VtkWidget : public QOpenGLWidget {
   bool fill_plots();
   [[nodiscard]] bool all_is_seen() const;
   [[nodiscard]] bool goes_along(std::size_t panel, std::size_t moved) const;
-  /// Frames are to be quick from now on, until the view has been at rest for a while.
-  void hurry();
-  /// What was drawn last is not what is to be seen: it is drawn anew, and what was being drawn is not wanted.
-  void redraw();
-  void draw_at_once();
-  void begin_parts();
-  void draw_part();
-  void end_parts();
-  /// Too much for one frame that the window waits for.
-  [[nodiscard]] bool goes_in_parts() const;
-  /// What is to be drawn in parts is not seen, or as it was held.
-  [[nodiscard]] bool lacks_full_frame() const;
-  /// Of the device.
-  [[nodiscard]] QSize pixels() const;
-  void render_into(std::unique_ptr<QOpenGLFramebufferObject>& frame);
 
   theme::Canvas canvas_ = theme::Canvas::Paper;
   /// What the settings change of a panel, as it was given.
@@ -171,26 +150,13 @@ class VtkWidget : public QOpenGLWidget {
   double filling_ = 1.0;  ///< The exaggeration where the settings leave it open.
   view::History history_;
   QElapsedTimer clock_;
+  std::optional<scene::Pick> marked_;
   std::optional<geom::Point> place_;               ///< Where the marker stands.
   std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
-  std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
+  render::VtkScene* scene_ = nullptr;              ///< The stage, as long as there is one.
   bool held_ = false;                              ///< Those views show all, and were left so by nobody's wish.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
-  frames::Bench bench_;  ///< Makes what is drawn of many points.
-  frames::Meter meter_;
-  double full_frame_ms_ = 0.0;  ///< What the last frame cost that showed the layers.
-  bool frame_is_true_ = false;  ///< What was drawn last is the picture as it is now.
-  bool is_drawn_ = false;       ///< What was drawn last is what is to be seen, be it a frame that is held.
-  std::unique_ptr<QOpenGLFramebufferObject> shown_;    ///< What was drawn last.
-  std::unique_ptr<QOpenGLFramebufferObject> drawing_;  ///< A frame that is drawn part by part.
-  QTimer parts_;                                       ///< Runs as long as one is, and draws the next part.
-  std::size_t part_cost_ = 0;                          ///< Points and cells of a part.
-  double parts_ms_ = 0.0;                              ///< What the parts took until now,
-  double longest_part_ms_ = 0.0;                       ///< and the longest of them.
-  frames::Meter::Clock::time_point parts_began_;
-  int unseen_ = 0;  ///< Pictures that gave way to another before they were drawn.
-  QTimer rest_;     ///< As long as it runs the view moves, and is drawn without smoothing.
   enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
   bool hand_tool_ = false;                             ///< It pans all the time.
   QCursor tool_cursor_ = Qt::CrossCursor;

@@ -7,7 +7,6 @@
 #include "shared/canvas/entry.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
-#include "shared/gui/vtk_widget_scene.h"
 
 namespace dobra::gui {
 
@@ -35,6 +34,7 @@ void VtkWidget::pick(QPointF pixel) {
   const scene::Panel& panel = picture_.panels[spot->panel];
   const double scale = view(spot->panel).world_per_point;
   const std::optional<scene::Pick> found = scene::pick(panel, spot->at, pick_reach * scale);
+  emit picked_item(spot->panel, found, spot->at);
   if (!found) {
     emit picked(text("Nothing here."));
     return;
@@ -130,27 +130,21 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Home:
       return fit();
     default:
-      QOpenGLWidget::keyPressEvent(event);
+      stage::VtkFrames::keyPressEvent(event);
   }
 }
 
 void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Space) return QOpenGLWidget::keyReleaseEvent(event);
+  if (event->key() != Qt::Key_Space) return stage::VtkFrames::keyReleaseEvent(event);
   if (event->isAutoRepeat()) return;
   hand_ = Hand::Away;
   show_cursor();
 }
 
-void VtkWidget::focusInEvent(QFocusEvent* event) {
-  QOpenGLWidget::focusInEvent(event);
-  update();
-}
-
 void VtkWidget::focusOutEvent(QFocusEvent* event) {
   hand_ = Hand::Away;
   show_cursor();
-  QOpenGLWidget::focusOutEvent(event);
-  update();
+  stage::VtkFrames::focusOutEvent(event);
 }
 
 /// The view moves over the model, so the model moves the other way. Each panel pans by a part of its own.

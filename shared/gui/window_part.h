@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shared/canvas/tool.h"
+#include "shared/gui/stage/space_gesture.h"
 #include "shared/gui/theme/icons.h"
 #include "shared/gui/welcome/examples.h"
 
@@ -24,6 +25,15 @@ class Session;
 struct Desk {
   Session& session;
   Canvas& canvas;
+};
+
+/// What the program makes of gestures on its picture in space. Edits go to the session, as those of tools do.
+struct SpacePart {
+  std::function<void(const Desk&, const stage::ItemAt&)> clicked =
+      {};                                   ///< In space, or in a panel of the plane beside it.
+  std::vector<std::string> draggable = {};  ///< Layers of markers that can be dragged.
+  /// A marker on its way in the plane of the screen through it.
+  std::function<void(const Desk&, stage::MarkerDrag, const stage::ItemAt&, const geom::Point3& to)> dragged = {};
 };
 
 /// A tool that only this program has. What a gesture makes it gives to the session: while it lasts to be looked at, at
@@ -49,6 +59,7 @@ struct WindowPart {
   std::vector<welcome::Example> examples = {};  ///< Those that the welcome page offers.
   std::vector<ToolPart> tools = {};
   std::vector<PanelPart> panels = {};
+  SpacePart space = {};
 };
 
 }  // namespace dobra::gui

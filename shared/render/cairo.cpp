@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -48,11 +47,10 @@ std::vector<scene::Layout> pages_of(const scene::Picture& picture, const std::op
 }
 
 /// Paints the first page with the picture, and further ones, and ends the surface; the status of whatever failed first.
-cairo_status_t paint_on(const Surface& surface, const scene::Picture& picture, std::span<const scene::Layout> pages,
-                        TextAs text) {
+cairo_status_t paint_on(const Surface& surface, const Drawn& drawn, TextAs text) {
   const Context context(cairo_create(surface.get()), cairo_destroy);
-  for (const scene::Layout& page : pages) {
-    paint(context.get(), &page == &pages.front() ? picture : scene::Picture{}, page, text);
+  for (const scene::Layout& page : drawn.pages) {
+    paint(context.get(), &page == &drawn.pages.front() ? drawn.picture : scene::Picture{}, page, text, drawn.paper);
     cairo_show_page(context.get());
   }
   cairo_surface_finish(surface.get());
@@ -155,39 +153,35 @@ scene::TextMeasure cairo_text_measure() {
   };
 }
 
-base::Result<void> write_svg(const scene::Picture& picture, const std::filesystem::path& path,
-                             const std::optional<scene::PageSize>& page) {
-  const scene::Layout layout = layout_of(picture, page);
+base::Result<void> write_svg(const Drawn& drawn, const std::filesystem::path& path) {
+  const scene::PageSize& size = drawn.pages.front().page;
   std::string bytes;
-  const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, layout.page.width, layout.page.height),
+  const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, size.width, size.height),
                         cairo_surface_destroy);
-  const cairo_status_t status = paint_on(surface, picture, {&layout, 1}, TextAs::NotDrawn);
+  const cairo_status_t status = paint_on(surface, drawn, TextAs::NotDrawn);
   if (status != CAIRO_STATUS_SUCCESS) return cannot_draw(path, cairo_status_to_string(status));
   bytes = with_own_numbers(bytes);
-  add_svg_text(layout, bytes);
+  add_svg_text(drawn.pages.front(), bytes);
   return io::write_file(path, bytes);
 }
 
-base::Result<void> write_pdf(const scene::Picture& picture, const std::filesystem::path& path,
-                             const std::optional<scene::PageSize>& page) {
-  const std::vector<scene::Layout> pages = pages_of(picture, page);
-  const scene::PageSize& size = pages.front().page;
+base::Result<void> write_pdf(const Drawn& drawn, const std::filesystem::path& path) {
+  const scene::PageSize& size = drawn.pages.front().page;
   std::string bytes;
   const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width, size.height),
                         cairo_surface_destroy);
   // cairo puts the time of day here by itself; the same picture must give the same bytes.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-  if (!picture.title.empty()) {
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, picture.title.c_str());
+  if (!drawn.picture.title.empty()) {
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawn.picture.title.c_str());
   }
-  const cairo_status_t status = paint_on(surface, picture, pages, TextAs::Glyphs);
+  const cairo_status_t status = paint_on(surface, drawn, TextAs::Glyphs);
   if (status != CAIRO_STATUS_SUCCESS) return cannot_draw(path, cairo_status_to_string(status));
   return io::write_file(path, bytes);
 }
 
-base::Result<void> write_png(const scene::Picture& picture, const std::filesystem::path& path,
-                             const std::optional<scene::PageSize>& page, double pixels_per_point) {
-  const scene::Layout layout = layout_of(picture, page);
+base::Result<void> write_png(const Drawn& drawn, const std::filesystem::path& path, double pixels_per_point) {
+  const scene::Layout& layout = drawn.pages.front();
   const double width = std::ceil(layout.page.width * pixels_per_point);
   const double height = std::ceil(layout.page.height * pixels_per_point);
   constexpr double most = 32767.0;  // cairo's limit
@@ -202,14 +196,38 @@ base::Result<void> write_png(const scene::Picture& picture, const std::filesyste
       cairo_surface_destroy);
   {
     const Context context(cairo_create(surface.get()), cairo_destroy);
-    cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
+    cairo_set_source_rgb(context.get(), drawn.paper.red / 255.0, drawn.paper.green / 255.0, drawn.paper.blue / 255.0);
     cairo_paint(context.get());
     cairo_scale(context.get(), pixels_per_point, pixels_per_point);
-    paint(context.get(), picture, layout, TextAs::Glyphs);
+    paint(context.get(), drawn.picture, layout, TextAs::Glyphs, drawn.paper);
     const cairo_status_t status = cairo_status(context.get());
     if (status != CAIRO_STATUS_SUCCESS) return cannot_draw(path, cairo_status_to_string(status));
   }
   return write_png_surface(surface.get(), path);
+}
+
+base::Result<void> write_svg(const scene::Picture& picture, const std::filesystem::path& path,
+                             const std::optional<scene::PageSize>& page) {
+  return write_svg({picture, {layout_of(picture, page)}}, path);
+}
+
+base::Result<void> write_pdf(const scene::Picture& picture, const std::filesystem::path& path,
+                             const std::optional<scene::PageSize>& page) {
+  return write_pdf({picture, pages_of(picture, page)}, path);
+}
+
+base::Result<void> write_png(const scene::Picture& picture, const std::filesystem::path& path,
+                             const std::optional<scene::PageSize>& page, double pixels_per_point) {
+  return write_png({picture, {layout_of(picture, page)}}, path, pixels_per_point);
+}
+
+base::Error not_a_picture(const std::filesystem::path& path) {
+  base::Error error{
+      base::ErrorCode::UnknownFormat,
+      fmt::format("'{}' is not a kind of picture; use {}", path.extension().string(), fmt::join(picture_endings, " "))};
+  error.place = base::Place{};
+  error.place->file = path.string();
+  return error;
 }
 
 base::Result<void> write_picture(const scene::Picture& picture, const std::filesystem::path& path,
@@ -218,11 +236,7 @@ base::Result<void> write_picture(const scene::Picture& picture, const std::files
   if (extension == ".svg") return write_svg(picture, path, page);
   if (extension == ".pdf") return write_pdf(picture, path, page);
   if (extension == ".png") return write_png(picture, path, page);
-  base::Error error{base::ErrorCode::UnknownFormat,
-                    fmt::format("'{}' is not a kind of picture; use {}", extension, fmt::join(picture_endings, " "))};
-  error.place = base::Place{};
-  error.place->file = path.string();
-  return error;
+  return not_a_picture(path);
 }
 
 }  // namespace dobra::render

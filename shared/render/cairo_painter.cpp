@@ -306,6 +306,13 @@ class MarkPainter {
     for (const Point& corner : mark.corners) cairo_line_to(context_, corner.x, corner.y);
     cairo_close_path(context_);
     set_color(context_, mark.fill);
+    if (mark.seam > 0.0) {
+      cairo_set_line_width(context_, mark.seam);
+      cairo_set_dash(context_, nullptr, 0, 0.0);
+      cairo_fill_preserve(context_);
+      cairo_stroke(context_);
+      return;
+    }
     cairo_fill(context_);
   }
 
@@ -358,8 +365,9 @@ void select_font(cairo_t* context, const scene::Font& font) {
   cairo_set_font_size(context, font.size);
 }
 
-void paint(cairo_t* context, const scene::Picture& picture, const scene::Layout& layout, TextAs text) {
-  cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
+void paint(cairo_t* context, const scene::Picture& picture, const scene::Layout& layout, TextAs text,
+           const Color& paper) {
+  cairo_set_source_rgb(context, paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
   cairo_rectangle(context, 0.0, 0.0, layout.page.width, layout.page.height);
   cairo_fill(context);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);

@@ -1,18 +1,14 @@
 #include "shared/render/vtk_layers.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkShaderProperty.h>
 #include <vtkTexture.h>
-#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -21,6 +17,7 @@
 #include <mutex>
 #include <optional>
 
+#include "shared/render/vtk_parts.h"
 #include "shared/scene/color_map.h"
 #include "shared/scene/detail.h"
 #include "shared/scene/fill.h"
@@ -32,55 +29,8 @@ namespace {
 using geom::Point;
 using scene::Color;
 
-/// Triangles or points of one actor: a frame is drawn in parts of whole actors.
-constexpr std::size_t most_an_actor = 16384;
-constexpr int color_levels = 64;  // as in the files, so that both look alike
 /// Details of a line smaller than this cannot be seen.
 constexpr double seen_pixels = 0.1;
-
-/// A list of points and cells of them, in the single precision that the graphics card keeps.
-class Geometry {
- public:
-  Geometry(Point origin, double depth) : origin_(origin), depth_(static_cast<float>(depth)) {
-    points_->SetNumberOfComponents(3);
-    offsets_->InsertNextValue(0);
-  }
-
-  /// @pre nothing has been added: it empties the lists
-  void reserve(std::size_t points, std::size_t corners, std::size_t cells) {
-    points_->Allocate(static_cast<vtkIdType>(3 * points));
-    corners_->Allocate(static_cast<vtkIdType>(corners));
-    offsets_->Allocate(static_cast<vtkIdType>(cells + 1));
-    offsets_->InsertNextValue(0);
-  }
-  std::int32_t add_point(Point p) {
-    const float at[3] = {static_cast<float>(p.x - origin_.x), static_cast<float>(p.y - origin_.y), depth_};
-    return static_cast<std::int32_t>(points_->InsertNextTypedTuple(at));
-  }
-  void add_corner(std::int32_t point) { corners_->InsertNextValue(point); }
-  void end_cell() { offsets_->InsertNextValue(static_cast<std::int32_t>(corners_->GetNumberOfValues())); }
-
-  enum class As { Points, Lines, Polygons };
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> data(As as) const {
-    auto made = vtkSmartPointer<vtkPolyData>::New();
-    vtkNew<vtkPoints> points;
-    points->SetData(points_);
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(offsets_, corners_);
-    made->SetPoints(points);
-    if (as == As::Points) made->SetVerts(cells);
-    if (as == As::Lines) made->SetLines(cells);
-    if (as == As::Polygons) made->SetPolys(cells);
-    return made;
-  }
-
- private:
-  Point origin_;
-  float depth_;
-  vtkNew<vtkFloatArray> points_;
-  vtkNew<vtkTypeInt32Array> offsets_;
-  vtkNew<vtkTypeInt32Array> corners_;
-};
 
 /// Where geometry is to lie.
 struct Ground {
@@ -200,7 +150,7 @@ class ActorMaker {
     made_.on_view.emplace_back(
         [actors, mean, style = style_](const scene::PanelLayout& place, double pixels_per_point) {
           const double width = scene::edge_width(*mean, style, place.transform.points_per_x) * pixels_per_point;
-          for (const auto& actor : actors) set_width(*actor, style, width);
+          for (const auto& actor : actors) set_width(*actor, style.line, width);
         });
   }
 
@@ -271,9 +221,6 @@ class ActorMaker {
   };
   using Actors = std::vector<vtkSmartPointer<vtkActor>>;
 
-  /// Where part k of so many begins.
-  static std::size_t part_begin(std::size_t all, std::size_t k, std::size_t parts) { return all * k / parts; }
-
   [[nodiscard]] Ground place() const { return {origin_, depth_}; }
 
   Actors add_actors(const Color& color, std::size_t size) {
@@ -286,16 +233,7 @@ class ActorMaker {
   }
 
   vtkActor& add(const Color& color) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkPolyData> nothing_yet;
-    mapper->SetInputData(nothing_yet);
-    mapper->ScalarVisibilityOff();
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
-    actor->GetProperty()->SetOpacity(color.alpha / 255.0);
-    actor->PickableOff();
+    auto actor = flat_actor(color);
     made_.actors.push_back(actor);
     return *actor;
   }
@@ -355,19 +293,6 @@ class ActorMaker {
     }
   }
 
-  static vtkSmartPointer<vtkLookupTable> table_of(const scene::Scale& scale) {
-    auto table = vtkSmartPointer<vtkLookupTable>::New();
-    table->SetNumberOfTableValues(color_levels);
-    for (int i = 0; i < color_levels; ++i) {
-      const Color c = scene::color_at(scale.map, (i + 0.5) / color_levels);
-      table->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0);
-    }
-    const Color none = scene::color_at(scale.map, std::nan(""));
-    table->SetNanColor(none.red / 255.0, none.green / 255.0, none.blue / 255.0, 1.0);
-    table->SetTableRange(0.0, 1.0);
-    return table;
-  }
-
   static vtkSmartPointer<vtkDataArray> colors_of(const scene::Mesh& content, std::size_t begin, std::size_t end) {
     auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colors->SetNumberOfComponents(3);
@@ -378,15 +303,6 @@ class ActorMaker {
       colors->InsertNextTypedTuple(rgb);
     }
     return colors;
-  }
-
-  /// Not clamped: the map's ends stay flat inside a triangle that goes beyond them.
-  static vtkSmartPointer<vtkDataArray> fractions_of(const scene::Scale& scale, const std::vector<double>& values) {
-    auto fractions = vtkSmartPointer<vtkFloatArray>::New();
-    const double width = scale.high - scale.low;
-    for (const double value : values)
-      fractions->InsertNextValue(static_cast<float>(width != 0.0 ? (value - scale.low) / width : 0.5));
-    return fractions;
   }
 
   /// Segments shorter than a pixel come out faint or not at all, so what is drawn is the line as it can be seen.
@@ -498,28 +414,8 @@ class ActorMaker {
 
   void follow_width(vtkActor& actor) {
     made_.on_view.emplace_back([&actor, style = style_](const scene::PanelLayout&, double pixels_per_point) {
-      set_width(actor, style, style.line_width * pixels_per_point);
+      set_width(actor, style.line, style.line_width * pixels_per_point);
     });
-  }
-
-  /// A line thinner than a pixel is a fainter one of one pixel.
-  static void set_width(vtkActor& actor, const scene::Style& style, double pixels) {
-    actor.SetVisibility(pixels > 0.0);
-    actor.GetProperty()->SetLineWidth(static_cast<float>(std::max(pixels, 1.0)));
-    actor.GetProperty()->SetOpacity(style.line.alpha / 255.0 * std::min(pixels, 1.0));
-  }
-
-  /// Points as discs with soft borders.
-  static void make_round(vtkActor& actor) {
-    actor.GetShaderProperty()->AddFragmentShaderReplacement(
-        "//VTK::Light::Impl", true,
-        "//VTK::Light::Impl\n"
-        "  float fromMiddle = 2.0 * length(gl_PointCoord - vec2(0.5));\n"
-        "  float soft = 1.5 * fwidth(gl_PointCoord.x);\n"
-        "  fragOutput0.a *= 1.0 - smoothstep(1.0 - 2.0 * soft, 1.0, fromMiddle);\n"
-        "  if (fragOutput0.a <= 0.0) { discard; }\n",
-        false);
-    actor.ForceTranslucentOn();
   }
 
   const scene::Layer& layer_;
@@ -592,7 +488,8 @@ vtkSmartPointer<vtkPolyData> textured_box(const geom::Box& box, geom::Point orig
   places->SetNumberOfComponents(2);
   Geometry corners(origin, depth);
   for (const Point at : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) {
-    corners.add_corner(corners.add_point({at.x > 0.5 ? box.high.x : box.low.x, at.y > 0.5 ? box.high.y : box.low.y}));
+    corners.add_corner(
+        corners.add_point(Point{at.x > 0.5 ? box.high.x : box.low.x, at.y > 0.5 ? box.high.y : box.low.y}));
     places->InsertNextTuple2(at.x, at.y);
   }
   corners.end_cell();

@@ -20,7 +20,9 @@
 
 #include "shared/render/cairo.h"
 #include "shared/render/cairo_painter.h"
+#include "shared/render/space_file.h"
 #include "shared/render/vtk_scene.h"
+#include "shared/render/vtk_space.h"
 
 namespace dobra::render {
 namespace {
@@ -136,13 +138,10 @@ base::Result<void> write_pixels(vtkGenericOpenGLRenderWindow& window, int width,
   return write_png_surface(surface.get(), path);
 }
 
-}  // namespace
-
-base::Result<void> write_png_vtk(const scene::Picture& picture, const std::filesystem::path& path,
-                                 const std::optional<scene::PageSize>& page, double pixels_per_point) {
-  const scene::TextMeasure measure = vtk_text_measure(pixels_per_point);
-  const scene::PageSize asked = page ? *page : scene::suggested_page(picture, scene::usual_width(picture), measure);
-  const scene::PageSize size = scene::layout(picture, asked, {}, measure).page;
+/// A page drawn by what `stage_in` puts into a window of that size.
+template <class StageIn>
+base::Result<void> write_page(const scene::PageSize& size, double pixels_per_point, const std::filesystem::path& path,
+                              const StageIn& stage_in) {
   const double width = std::ceil(size.width * pixels_per_point);
   const double height = std::ceil(size.height * pixels_per_point);
   constexpr double most = 16384.0;  // of OpenGL 4 hardware and of Mesa
@@ -157,12 +156,44 @@ base::Result<void> write_png_vtk(const scene::Picture& picture, const std::files
     return cannot_draw(path, why + "; install libegl-mesa0, or use a .png without VTK");
   }
   OffscreenWindow offscreen(context);
-  VtkScene scene(offscreen.window(), {scene::Plots::ToContent});
-  scene.resize(static_cast<int>(width), static_cast<int>(height), pixels_per_point);
-  scene.set_picture(picture);
+  const auto stage = stage_in(offscreen.window(), static_cast<int>(width), static_cast<int>(height));
   offscreen.window().Render();
   if (!offscreen.error().empty()) return cannot_draw(path, first_line(offscreen.error()));
   return write_pixels(offscreen.window(), static_cast<int>(width), static_cast<int>(height), path);
+}
+
+}  // namespace
+
+base::Result<void> write_png_vtk(const scene::Picture& picture, const std::filesystem::path& path,
+                                 const std::optional<scene::PageSize>& page, double pixels_per_point) {
+  const scene::TextMeasure measure = vtk_text_measure(pixels_per_point);
+  const scene::PageSize asked = page ? *page : scene::suggested_page(picture, scene::usual_width(picture), measure);
+  const scene::PageSize size = scene::layout(picture, asked, {}, measure).page;
+  return write_page(size, pixels_per_point, path, [&](vtkRenderWindow& window, int width, int height) {
+    auto scene = std::make_unique<VtkScene>(window, scene::LayoutOptions{scene::Plots::ToContent});
+    scene->resize(width, height, pixels_per_point);
+    scene->set_picture(picture);
+    return scene;
+  });
+}
+
+base::Result<void> write_png_vtk(const scene::space::SpacePicture& picture, const std::filesystem::path& path,
+                                 const SpaceFileOptions& options) {
+  const double ratio = options.pixels_per_point;
+  const scene::TextMeasure measure = vtk_text_measure(ratio);
+  const geom::Box3 shown = scene::space::extent(picture);
+  const scene::space::Look look{options.camera.value_or(picture.camera), std::nullopt};
+  const scene::PageSize asked =
+      options.page ? *options.page : scene::space::suggested_page(picture, shown, look, measure);
+  const scene::PageSize size = scene::space::layout(picture, shown, look, asked, measure).page.page;
+  return write_page(size, ratio, path, [&](vtkRenderWindow& window, int width, int height) {
+    auto stage = std::make_unique<VtkSpace>(window, scene::LayoutOptions{scene::Plots::ToContent});
+    stage->set_ground(options.ground);
+    stage->set_look(look);
+    stage->resize(width, height, ratio);
+    stage->set_picture(picture);
+    return stage;
+  });
 }
 
 }  // namespace dobra::render

@@ -19,6 +19,7 @@
 #include "shared/base/check.h"
 #include "shared/render/vtk_layers.h"
 #include "shared/render/vtk_marks.h"
+#include "shared/render/vtk_parts.h"
 
 namespace dobra::render {
 namespace {
@@ -26,29 +27,13 @@ namespace {
 constexpr int background_level = 0;
 constexpr int panel_level = 1;
 constexpr int mark_level = 2;
-/// Points whose shapes are made at once, in one arrangement: some ten milliseconds.
-constexpr std::size_t at_once = 20000;
-
-vtkSmartPointer<vtkRenderer> add_renderer(vtkRenderWindow& window, int level) {
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  renderer->SetLayer(level);
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  renderer->SetBackgroundAlpha(1.0);
-  renderer->InteractiveOff();
-  renderer->SetAutomaticLightCreation(false);
-  window.AddRenderer(renderer);
-  return renderer;
-}
 
 }  // namespace
 
 class VtkScene::Impl {
  public:
   Impl(vtkRenderWindow& window, const scene::LayoutOptions& options) : window_(window), options_(options) {
-    window.SetNumberOfLayers(3);
-    window.SetMultiSamples(samples_a_pixel);
-    window.SetAlphaBitPlanes(0);
-    window.SetDPI(72);  // so that a font's size is its height in pixels
+    prepare(window, 3);
     background_ = add_renderer(window, background_level);
     front_ = add_renderer(window, mark_level);
     marks_ = std::make_unique<VtkMarks>(*front_);
@@ -486,7 +471,7 @@ class VtkScene::Impl {
 VtkScene::VtkScene(vtkRenderWindow& window, const scene::LayoutOptions& options)
     : impl_(std::make_unique<Impl>(window, options)) {}
 
-VtkScene::~VtkScene() { release(); }
+VtkScene::~VtkScene() { VtkScene::release(); }
 
 void VtkScene::set_picture(scene::Picture picture, KeepViews keep) {
   std::vector<std::optional<scene::View>> views(picture.panels.size());

@@ -76,6 +76,12 @@ scene::Picture Program::picture_of(const State& state) const {
   return units_of ? in_units(std::move(picture), units_of(state)) : picture;
 }
 
+std::optional<scene::space::SpacePicture> Program::space_of(const State& state) const {
+  auto picture = gathered<scene::space::SpacePicture>(*this, state, &Results::draw_space);
+  if (picture.layers.empty()) return std::nullopt;
+  return units_of ? in_units(std::move(picture), units_of(state)) : std::move(picture);
+}
+
 scene::Picture Program::picture_of_input(const Document& document) const {
   scene::Picture picture;
   if (!draw_input || !check(document.input, fields_in(input_fields, document.units), {})) return picture;

@@ -18,6 +18,7 @@
 #include "shared/scenario/importing.h"
 #include "shared/scene/layer.h"
 #include "shared/scene/pick.h"
+#include "shared/scene/space/picture.h"
 
 namespace dobra::scenario {
 
@@ -71,6 +72,8 @@ struct Results {
   /// Exchange files, without tables, report and pictures.
   std::function<void(const State&, std::vector<Output>&)> outputs{};
   std::function<void(const State&, scene::Picture&)> draw{};
+  /// What stands in space.
+  std::function<void(const State&, scene::space::SpacePicture&)> draw_space{};
   /// Whether it reached what it was asked to (an error, say); nothing if nothing was asked. `run` ends with 1 if not.
   std::function<std::optional<bool>(const State&)> reached{};
 };
@@ -83,6 +86,7 @@ struct ResultsOf {
   void (*remarks)(const Model&, std::vector<std::string>&) = nullptr;
   void (*outputs)(const std::shared_ptr<const Model>&, std::vector<Output>&) = nullptr;
   void (*draw)(const Model&, scene::Picture&) = nullptr;
+  void (*draw_space)(const Model&, scene::space::SpacePicture&) = nullptr;
   std::optional<bool> (*reached)(const Model&) = nullptr;
 };
 
@@ -96,6 +100,7 @@ Results make_results(const ResultsOf<Model>& of) {
   if (of.tables) results.tables = adder(of.tables);
   if (of.remarks) results.remarks = adder(of.remarks);
   if (of.draw) results.draw = adder(of.draw);
+  if (of.draw_space) results.draw_space = adder(of.draw_space);
   if (of.outputs) {
     results.outputs = [add = of.outputs](const State& state, std::vector<Output>& list) {
       add(std::static_pointer_cast<const Model>(state), list);
@@ -187,6 +192,8 @@ struct Program {
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;
+  /// Nothing where no part has a layer in space.
+  [[nodiscard]] std::optional<scene::space::SpacePicture> space_of(const State& state) const;
   /// What the input of a document draws where there is no state to draw; without panels if that is nothing.
   [[nodiscard]] scene::Picture picture_of_input(const Document& document) const;
   [[nodiscard]] std::vector<Quantity> quantities_of(const State& state) const;

@@ -11,7 +11,7 @@
 
 #include "shared/base/result.h"
 #include "shared/scenario/field.h"
-#include "shared/scene/layer.h"
+#include "shared/scene/space/picture.h"
 
 namespace dobra::scenario {
 
@@ -72,6 +72,7 @@ std::vector<DataTable> in_units(std::vector<DataTable> tables, const UnitSystem&
 /// World coordinates by "[m]" in the titles of the axes, colours and values of labels by that in the title of the
 /// scale.
 scene::Picture in_units(scene::Picture picture, const UnitSystem& units);
+scene::space::SpacePicture in_units(scene::space::SpacePicture picture, const UnitSystem& units);
 /// A message: numbers before a unit, "0.5 m", and points "(x, y)"; what stands in quotes stays.
 std::string message_in_units(const std::string& message, const UnitSystem& units);
 base::Error in_units(base::Error error, const UnitSystem& units);

@@ -81,6 +81,46 @@ class Turn {
   Ratio values_ = {};  ///< Of the colours, which labels above them have too.
 };
 
+/// The same of space; charts of surfaces have no unit.
+class SpaceTurn {
+ public:
+  SpaceTurn(const Ratio& x, const Ratio& y, const Ratio& z, const UnitSystem& units)
+      : x_(x), y_(y), z_(z), units_(units) {}
+
+  void operator()(geom::Point3& p) const { p = {x_.times(p.x), y_.times(p.y), z_.times(p.z)}; }
+  void operator()(scene::space::Lines& content) const {
+    for (std::vector<geom::Point3>& line : content.lines.edit()) each(line);
+  }
+  void operator()(scene::space::Markers& content) const { each(content.points); }
+  void operator()(scene::space::Surface& content) const {
+    each(content.points.edit());
+    if (content.values_at == scene::ValuesAt::None) return;
+    scene::Mesh values;  // the unit of values does not ask where they are
+    values.values_at = content.values_at;
+    values.values = std::move(content.values);
+    values.scale = std::move(content.scale);
+    Turn(x_, y_, units_)(values);
+    content.values = std::move(values.values);
+    content.scale = std::move(values.scale);
+  }
+  void operator()(scene::space::Labels& content) const {
+    for (scene::space::Label& label : content.labels) (*this)(label.at);
+  }
+  void operator()(scene::space::Curtain& content) const {
+    for (geom::Point& p : content.trace) p = {x_.times(p.x), y_.times(p.y)};
+    content.first = x_.times(content.first);
+    Turn turn(x_, z_, units_);
+    for (scene::Layer& layer : content.section.layers) std::visit(turn, layer.content);
+  }
+
+ private:
+  void each(std::vector<geom::Point3>& all) const {
+    for (geom::Point3& one : all) (*this)(one);
+  }
+  Ratio x_, y_, z_;
+  const UnitSystem& units_;
+};
+
 bool begins_number(const std::string& text, std::size_t at) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto inside_word = [](char c) {
@@ -160,6 +200,18 @@ std::vector<DataTable> in_units(std::vector<DataTable> tables, const UnitSystem&
     }
   }
   return tables;
+}
+
+scene::space::SpacePicture in_units(scene::space::SpacePicture picture, const UnitSystem& units) {
+  if (units.si()) return picture;
+  const Ratio x = retitle(picture.axes.x_title, units);
+  const Ratio y = retitle(picture.axes.y_title, units);
+  const Ratio z = retitle(picture.axes.z_title, units);
+  const SpaceTurn turn(x, y, z, units);
+  for (scene::space::Layer& layer : picture.layers) std::visit(turn, layer.content);
+  if (picture.camera.target) turn(*picture.camera.target);
+  picture.camera.distance = x.times(picture.camera.distance);
+  return picture;
 }
 
 scene::Picture in_units(scene::Picture picture, const UnitSystem& units) {

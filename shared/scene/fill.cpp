@@ -160,16 +160,20 @@ std::vector<ColoredArea> areas_of(const Mesh& mesh, const std::optional<Color>& 
 }
 
 std::vector<std::vector<std::uint32_t>> edge_chains(const Mesh& mesh) {
+  return edge_chains(mesh.triangles, mesh.points.size());
+}
+
+std::vector<std::vector<std::uint32_t>> edge_chains(std::span<const Triangle> triangles, std::size_t points) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) {
     for (int k = 0; k < 3; ++k) edges.push_back(std::minmax(t[k], t[(k + 1) % 3]));
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
   // Half-edges at each vertex, in order; a walk takes unused edges until there is none.
-  std::vector<std::uint32_t> first(mesh.points.size() + 1, 0);
+  std::vector<std::uint32_t> first(points + 1, 0);
   for (const auto& [a, b] : edges) ++first[a + 1], ++first[b + 1];
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
   std::vector<std::uint32_t> at(first.begin(), first.end() - 1);
@@ -190,7 +194,7 @@ std::vector<std::vector<std::uint32_t>> edge_chains(const Mesh& mesh) {
     return std::nullopt;
   };
   std::vector<std::vector<std::uint32_t>> chains;
-  for (std::uint32_t start = 0; start < mesh.points.size(); ++start) {
+  for (std::uint32_t start = 0; start < points; ++start) {
     while (std::optional<std::uint32_t> next = step(start)) {
       std::vector<std::uint32_t> chain{start};
       for (; next; next = step(*next)) chain.push_back(*next);

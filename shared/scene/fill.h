@@ -3,6 +3,7 @@
 // in plain floating point, never used for geometry.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "shared/scene/layer.h"
@@ -31,6 +32,8 @@ std::vector<ColoredArea> areas_of(const Mesh& mesh, const std::optional<Color>& 
 
 /// The edges of a mesh, each once, joined into long chains. @cost O(t log t).
 std::vector<std::vector<std::uint32_t>> edge_chains(const Mesh& mesh);
+std::vector<std::vector<std::uint32_t>> edge_chains(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                                    std::size_t points);
 
 /// Mean length of the edges, m; 0 without triangles. @cost O(t).
 double mean_edge_length(const Mesh& mesh);

@@ -75,9 +75,9 @@ enum class ColorMapName {
   Quality
 };  ///< Quality: red (bad) over yellow to blue-green (good).
 
-/// Log10: numbers are decimal logarithms, ticks say of what. Diagram: the axes are no lengths. Only linear axes have a
-/// scale bar.
-enum class AxisScale { Linear, Log10, Diagram };
+/// Log10: numbers are decimal logarithms, ticks say of what. Diagram: the axes are no lengths. None: a frame without
+/// ticks. Only linear axes have a scale bar.
+enum class AxisScale { Linear, Log10, Diagram, None };
 
 /// How numbers become colours; values outside the range take its ends.
 struct Scale {

@@ -341,6 +341,7 @@ bool Arranger::update_room(std::size_t i) {
                       [&](const std::string& text) { return measure_(text, tick_font_).width; });
   block.y_ticks = fit(world.low.y / unit, world.high.y / unit, block.plot_height, 6.0, 26.0,
                       [&](const std::string&) { return line; });
+  if (panel.axes.scale == AxisScale::None) block.x_ticks = block.y_ticks = {};
   for (Tick& tick : block.x_ticks) tick.value *= unit;
   for (Tick& tick : block.y_ticks) tick.value *= unit;
   block.y_title = turned_heading(panel.axes.y_title, block.plot_height, axis_font_, measure_);

@@ -59,6 +59,7 @@ struct DiscMark {
 struct TriangleMark {
   std::array<geom::Point, 3> corners;
   Color fill{};
+  double seam = 0.0;  ///< In files it is grown by half of this, so that no paper shines between neighbours.
 };
 
 /// A box filled with a colour map.

@@ -28,4 +28,11 @@ struct LineEdit {
 /// @cost  O(points and triangles of the visible layers).
 std::optional<Pick> pick(const Panel& panel, geom::Point at, double tolerance);
 
+/// Lines and markers that make the items of a pick stand out; empty where the panel has none. Of a mesh the triangle.
+/// @cost O(items of the layer)
+std::vector<Layer> highlight(const Panel& panel, const Pick& pick);
+
+/// The edges of some triangles that bound them all: those that an odd number of them have. @cost O(n log n)
+std::vector<std::array<std::uint32_t, 2>> rim_of(std::vector<std::array<std::uint32_t, 3>> triangles);
+
 }  // namespace dobra::scene

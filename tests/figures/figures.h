@@ -3,6 +3,7 @@
 // main.cpp writes them. Nothing here is drawn by hand but the input; what looks wrong is wrong in the library.
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ std::vector<Figure> mesh_figures();
 std::vector<Figure> quality_figures();
 std::vector<Figure> surf_figures();
 std::vector<Figure> trim_figures();
+
+/// One surface from the usual sides (space_figures.cpp).
+base::Result<void> write_projection(const std::filesystem::path& path);
 
 /// What each stage of the general offset engine makes of one base (offset_stages.cpp).
 base::Result<scene::Picture> offset_stages();

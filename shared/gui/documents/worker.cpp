@@ -54,6 +54,8 @@ struct Worker::Kept {
       outcome->input = picture_of_input(program, states.front());
       outcome->picture = states.size() == 1 ? outcome->input
                                             : shared_with(program.picture_of(states.back()), {result, outcome->input});
+      if (auto space = program.space_of(states.back()))
+        outcome->space = std::make_shared<const scene::space::SpacePicture>(std::move(*space));
       outcome->quantities = program.quantities_of(states.back());
       outcome->remarks = program.remarks_of(states.back());
     }

@@ -25,6 +25,8 @@ struct Outcome {
   std::shared_ptr<const scene::Picture> picture;
   /// Of the state that the input has made; the same as `picture` where no step has come further. Null without a state.
   std::shared_ptr<const scene::Picture> input;
+  /// What stands in space, of the last state; null if nothing does.
+  std::shared_ptr<const scene::space::SpacePicture> space;
   std::vector<scenario::Quantity> quantities;
   std::vector<std::string> remarks;
   std::vector<scenario::Verdict> verdicts;  ///< Of a complete run.

@@ -136,6 +136,31 @@ TEST(Units, MessagesTellLengthsAndPlacesInTheUnitsOfTheScenario) {
   EXPECT_EQ(message_in_units("0.1 m", UnitSystem()), "0.1 m");
 }
 
+TEST(Units, PicturesInSpaceHaveTheirAxesColoursAndCurtainsInThem) {
+  scene::space::Surface surface;
+  surface.points = {{0, 0, 0}, {2, 0, 0}, {0, 1, 3}};
+  surface.triangles = {{0, 1, 2}};
+  surface.values_at = scene::ValuesAt::Triangles;
+  surface.values = {2e6};
+  surface.scale = {.title = "stress [Pa]", .low = 1e6, .high = 3e6};
+  surface.chart = {{0, 0}, {1, 0}, {0, 1}};
+  scene::space::Curtain curtain{{{0, 0}, {4, 0}}, 1.0, {}};
+  curtain.section.layers.push_back({"line", "", {}, scene::Lines{{{{{1, -1}, {2, -2}}, false}}, {}}});
+  scene::space::SpacePicture picture;
+  picture.layers.push_back({.key = "surface", .content = surface});
+  picture.layers.push_back({.key = "section", .content = curtain});
+  const scene::space::SpacePicture made = in_units(picture, system_of("mm, N, MPa"));
+  EXPECT_EQ(made.axes.z_title, "z [mm]");
+  const auto& turned = std::get<scene::space::Surface>(made.layers[0].content);
+  EXPECT_EQ(turned.points[2], (geom::Point3{0, 1000, 3000}));
+  EXPECT_EQ(turned.values, (std::vector<double>{2}));
+  EXPECT_EQ(turned.scale.title, "stress [MPa]");
+  EXPECT_EQ(turned.chart[1], (geom::Point{1, 0}));
+  const geom::Box3 section = extent(made.layers[1]);
+  EXPECT_EQ(section.low, (geom::Point3{0, 0, -2000}));
+  EXPECT_EQ(section.high, (geom::Point3{1000, 0, -1000}));
+}
+
 TEST(Units, PicturesHaveTheirAxesColoursAndLabelsInThem) {
   scene::Panel panel{.key = "a", .axes = {}};
   scene::Mesh mesh{.points = {{0, 0}, {2, 0}, {0, 1}},
