@@ -213,6 +213,13 @@ Result<void> check_files(const MeshOptions& options, const scenario::Document& d
   return Error{ErrorCode::BadUsage, "--histogram and --size-field draw plane meshes; a mesh of surfaces has none"};
 }
 
+/// In space, where the state has such a picture.
+Result<void> draw_last(const scenario::Program& program, const scenario::State& state,
+                       const std::filesystem::path& file) {
+  if (const auto space = program.space_of(state)) return dobra::cli::draw(*space, file, dobra::cli::Drawer::Cairo);
+  return dobra::cli::draw(program.picture_of(state), file, dobra::cli::Drawer::Cairo);
+}
+
 Result<int> mesh_job(Session& session, const MeshOptions& options) {
   if (options.out) DOBRA_TRY_VOID(io::formats::check_mesh_ending(options.out->string()));
   for (const auto& file : {options.histogram, options.picture, options.size_field}) {
@@ -260,8 +267,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   }
   if (options.histogram)
     DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
-  if (options.picture)
-    DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.picture) DOBRA_TRY_VOID(draw_last(session.program, state, *options.picture));
   if (options.size_field)
     DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::size_field_picture(model, meshed), model.units), *options.size_field,
                                     dobra::cli::Drawer::Cairo));

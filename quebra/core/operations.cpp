@@ -170,6 +170,15 @@ scenario::Operation mesh_operation() {
       "mesh", "Mesh",
       "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
       mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
+  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
+                                        const scenario::Context& context,
+                                        const base::Progress& progress) -> base::Result<scenario::State> {
+    if (!scenario::model_of<model::Model>(state).surfaces || table.find("growth") != nullptr)
+      return run(state, table, context, progress);
+    scenario::Table own = table;
+    own.set("growth", surf::mesh::SizeOptions{}.growth);
+    return run(state, own, context, progress);
+  };
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -243,6 +252,7 @@ scenario::Program make_program() {
       .tables = finding_tables,
       .remarks = [](const model::Model& model, auto& remarks) { remarks = model.remarks; },
       .draw = draw_model,
+      .draw_space = draw_surfaces_in_space,
   });
   program.operations = {
       scenario::make_operation<model::Model, meshing::ConstraintParams>(

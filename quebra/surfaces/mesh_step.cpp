@@ -37,6 +37,7 @@ Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParam
                    .growth = params.growth,
                    .narrow = params.narrow};
   options.engine = params.engine == meshing::EngineChoice::Paper ? SurfaceEngine::Paper : SurfaceEngine::Front;
+  options.size_formula = params.size_formula;
   options.smoothing = params.smoothing;
   options.quadrilaterals = params.quadrilaterals == meshing::Quadrilaterals::Yes;
   options.second_order = params.order == meshing::Order::Second;

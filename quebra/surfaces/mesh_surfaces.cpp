@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <span>
 #include <utility>
 
 #include "quebra/surfaces/face_engine.h"
+#include "shared/base/formula.h"
 #include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/free_borders.h"
 #include "shared/surf/trim/area.h"
@@ -106,18 +109,41 @@ void give_back(const Charts& charts, model::SurfaceMeshed& meshed) {
   }
 }
 
+/// @param units  of the chart, where u and v may be asked for.
+Result<std::function<double(geom::Point, geom::Point3)>> wanted_by(const std::string& text,
+                                                                   const std::optional<geom::Vector>& units) {
+  std::vector<std::string> names{"x", "y", "z"};
+  if (units) names.insert(names.end(), {"u", "v"});
+  auto formula = base::Formula::make(text, names, {.called = "size_formula", .whole = {}, .begin = 0});
+  if (!formula) {
+    base::Error error = formula.error();
+    if (!units) error.message += "; u and v are known where one face is meshed that touches no pole";
+    return error;
+  }
+  return [formula = *formula, units](geom::Point uv, geom::Point3 at) {
+    const std::array<double, 5> values{at.x, at.y, at.z, units ? uv.x / units->x : 0.0, units ? uv.y / units->y : 0.0};
+    return formula.at(std::span(values).first(units ? 5 : 3));
+  };
+}
+
 }  // namespace
 
-Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const SurfaceMeshOptions& options,
+Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const SurfaceMeshOptions& asked,
                                            const base::Progress& progress) {
+  SurfaceMeshOptions options = asked;
   Stopwatch watch;
   model::SurfaceMeshed meshed;
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
   for (const auto& face : set.faces) meshed.area_surface += surf::trim::area(face).value;
   done("area");
+  DOBRA_TRY(const Charts charts, open_charts(set));
+  if (!options.size_formula.empty()) {
+    const bool one = charts.faces.size() == 1 && !charts.opened[0].polar;
+    DOBRA_TRY(options.sizes.wanted,
+              wanted_by(options.size_formula, one ? std::optional(set.chart_units[0]) : std::nullopt));
+  }
   surf::mesh::DivisionOptions divide{.sizes = options.sizes};
   if (options.engine == SurfaceEngine::Paper) divide.kind = surf::mesh::DivisionKind::Halving;
-  DOBRA_TRY(const Charts charts, open_charts(set));
   const auto division_made = surf::mesh::divide(charts.faces, divide, progress.part(0.0, 0.1));
   if (!division_made) return division_made.error();
   const Division& division = *division_made;

@@ -292,7 +292,7 @@ Result<std::vector<TrimmedSurface>> Trimming::faces(surf::trim::SharedNumbers& n
     const bool bounds = drawn.role == TrimRole::Hole || drawn.role == TrimRole::Outline || drawn.role == TrimRole::Cut;
     lines.push_back({{drawn.edges, kind_of(drawn.role)}, drawn.closed, bounds});
   }
-  auto recognised = surf::trim::recognise(surface_, lines, numbers);
+  auto recognised = surf::trim::recognise(surface_, lines, numbers, {.name_sides = false});
   if (!recognised) return as_written(recognised.error());
   for (const surf::trim::Finding& finding : recognised->findings()) {
     const Error told = as_written({ErrorCode::BadDomain, finding.message, finding.place});

@@ -6072,5 +6072,13 @@
         <source>there is no picture in space; run a scenario that has one</source>
         <translation>não há figura no espaço; execute um cenário que tenha uma</translation>
     </message>
+    <message>
+        <source>Of x and y: "0.1 + 0.05 * hypot(x, y)"; the least of all sizes counts. On surfaces of x, y, z and, where one is meshed, of the u and v of its chart.</source>
+        <translation>De x e y: "0.1 + 0.05 * hypot(x, y)"; vale o menor de todos os tamanhos. Em superfícies, de x, y, z e, onde uma só recebe malha, de u e v da sua carta.</translation>
+    </message>
+    <message>
+        <source>Most by which sizes may grow from one element to the next; 1.2 on surfaces where left out.</source>
+        <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; 1,2 em superfícies onde for omitido.</translation>
+    </message>
 </context>
 </TS>
