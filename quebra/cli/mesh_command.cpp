@@ -26,6 +26,7 @@
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/faces/import.h"
+#include "shared/io/file.h"
 #include "shared/io/formats/mesh_file.h"
 #include "shared/scenario/runner.h"
 
@@ -282,13 +283,16 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   return 0;
 }
 
-/// A refusal of bad input, or of what cannot be meshed, as JSON too.
+/// A refusal of bad surfaces, or of what cannot be meshed of them, as JSON too.
 Result<void> tell_refusal(Session& session, const MeshOptions& options, const Error& error) {
   const int code = base::exit_code(error.code);
   if (session.options.format != dobra::cli::OutputFormat::Json || (code != 3 && code != 4)) return {};
   const std::filesystem::path& file = options.input.scenario.file;
   std::vector<surf::mesh::Finding> findings;
-  if (core::is_brep(file.string())) {
+  const bool brep = core::is_brep(file.string());
+  const auto text = brep ? Result<std::string>(std::string()) : io::read_text(file);
+  if (!brep && (!text || text->find("[[input.surface]]") == std::string::npos)) return {};
+  if (brep) {
     if (auto faces = io::faces::faces_of_file(file.string())) findings = std::move(faces->findings);
   }
   const bool told = std::any_of(findings.begin(), findings.end(),
