@@ -86,8 +86,8 @@ struct MeshRules {
     d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay", "paper"},
              {.title = "Engine",
               .help = "What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay "
-                      "triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as "
-                      "it is written."});
+                      "triangulation, which is slower (plane domains only); or the front of [miranda2009surface] as it "
+                      "is written."});
     d.field("smoothing", of<P>(&MeshRules::smoothing), {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", of<P>(&MeshRules::max_elements),
             {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -120,10 +121,34 @@ Result<std::function<double(geom::Point, geom::Point3)>> wanted_by(const std::st
     if (!units) error.message += "; u and v are known where one face is meshed that touches no pole";
     return error;
   }
-  return [formula = *formula, units](geom::Point uv, geom::Point3 at) {
+  return std::function<double(geom::Point, geom::Point3)>([formula = *formula, units](geom::Point uv, geom::Point3 at) {
     const std::array<double, 5> values{at.x, at.y, at.z, units ? uv.x / units->x : 0.0, units ? uv.y / units->y : 0.0};
-    return formula.at(std::span(values).first(units ? 5 : 3));
-  };
+    return formula.at(std::span<const double>(values).first(units ? 5 : 3));
+  });
+}
+
+/// What a mesh that was made all the same is to be doubted for.
+void doubt(model::SurfaceMeshed& meshed) {
+  constexpr double off = 0.01, flat = 0.1;
+  const double gap = std::abs(meshed.quality.area - meshed.area_surface);
+  if (gap > off * meshed.area_surface) {
+    meshed.findings.push_back(
+        {"area_off",
+         fmt::format("the mesh has an area of {:.6g} m2, its surfaces one of {:.6g} m2: use smaller "
+                     "sizes, or look at the borders that were mended",
+                     meshed.quality.area, meshed.area_surface),
+         {}});
+  }
+  if (meshed.quality.triangles == 0 || meshed.quality.alpha_min >= flat) return;
+  const auto& corners = meshed.mesh.triangles[meshed.quality.worst.index()];
+  base::Place place;
+  const geom::Point3 p = meshed.mesh.point(corners[0]);
+  place.x = p.x, place.y = p.y, place.z = p.z;
+  meshed.findings.push_back(
+      {"flat_triangle",
+       fmt::format("a triangle has an alpha of {:.3g}: a corner of its face is sharp, or sides of its border are short",
+                   meshed.quality.alpha_min),
+       place});
 }
 
 }  // namespace
@@ -164,6 +189,7 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   DOBRA_TRY_VOID(surf::mesh::check(meshed.mesh));
   done("assemble");
   meshed.quality = surf::mesh::quality_of(meshed.mesh);
+  doubt(meshed);
   meshed.elements = surf::mesh::elements_of(meshed.mesh);
   if (options.quadrilaterals) meshed.elements = surf::mesh::recombine(meshed.elements);
   if (options.second_order)

@@ -5971,8 +5971,8 @@
         <translation>Dos lados dos elementos; 0 não pede. Só de superfícies no espaço.</translation>
     </message>
     <message>
-        <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as it is written.</source>
-        <translation>O que coloca os nós internos: fileiras do contorno para dentro; um a um numa triangulação de Delaunay, mais lenta (só domínios planos); ou a frente do artigo sobre superfícies, como está escrita.</translation>
+        <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of [miranda2009surface] as it is written.</source>
+        <translation>O que coloca os nós internos: fileiras do contorno para dentro; um a um numa triangulação de Delaunay, mais lenta (só domínios planos); ou a frente de [miranda2009surface], como está escrita.</translation>
     </message>
     <message>
         <source>Shell</source>

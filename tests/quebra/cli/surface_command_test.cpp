@@ -101,6 +101,20 @@ TEST_F(SurfaceCommand, SizesMayBeAFormulaOfSpaceAndOfTheChart) {
   EXPECT_GT(by("0.3 + 0.1 * u"), 3.0 * by("2"));
 }
 
+TEST_F(SurfaceCommand, TheMesherOfThePaperTakesPlaneDomainsToo) {
+  const std::string file = put("plane.toml", head +
+                                                 "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
+                                                 "points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n"
+                                                 "[[input.curve]]\nname = \"hole\"\nkind = \"polygon\"\n"
+                                                 "points = [[1, 1], [3, 1], [3, 2], [1, 2]]\n");
+  const json json = told({"mesh", file, "--size", "0.4", "--engine", "paper", "--json"});
+  EXPECT_NEAR(json["area"].get<double>(), 14.0, 1e-9);
+  EXPECT_GT(json["alpha_mean"].get<double>(), 0.85);
+  const auto outcome = call({"mesh", file, "--size", "0.4", "--engine", "paper", "--stop-after", "5"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("stop_after"));
+}
+
 class StandIns : public SurfaceCommand, public testing::WithParamInterface<const char*> {};
 
 TEST_P(StandIns, SUR_f_AreMeshedByBothEngines) {
