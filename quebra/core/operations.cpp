@@ -1,5 +1,7 @@
 #include "quebra/core/operations.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -198,6 +200,22 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
   return operation;
 }
 
+/// What works on a plane domain has nothing to do with surfaces.
+scenario::Operation of_plane_domains(scenario::Operation operation) {
+  operation.run = [run = operation.run, name = operation.name](
+                      const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+                      const base::Progress& progress) -> base::Result<scenario::State> {
+    if (scenario::model_of<model::Model>(state).surfaces) {
+      return base::Error{base::ErrorCode::NotSupported,
+                         fmt::format("`{}` is of plane domains; a mesh of surfaces goes on to the step `shell`, which "
+                                     "writes it for other programs",
+                                     name)};
+    }
+    return run(state, table, context, progress);
+  };
+  return operation;
+}
+
 scenario::UnitSystem units_of(const scenario::State& state) { return scenario::model_of<model::Model>(state).units; }
 
 std::optional<bool> adapted_enough(const model::Model& model) {
@@ -241,7 +259,13 @@ scenario::Program make_program() {
   program.importing = importing();
   program.units_of = units_of;
   program.names_of = [](const scenario::State& state, const std::string& what) {
-    return names_in(scenario::model_of<model::Model>(state).domain, what);
+    const auto& model = scenario::model_of<model::Model>(state);
+    if (!model.surfaces) return names_in(model.domain, what);
+    std::vector<std::string> names;
+    for (const auto& face : model.surfaces->faces) {
+      if (what == "surface" || what == "region") add_once(face.name, names);
+    }
+    return names;
   };
   program.name_at = [](const scenario::State& state, const std::string& what,
                        const std::optional<dobra::scene::Pick>& line, geom::Point at) {
@@ -295,7 +319,9 @@ scenario::Program make_program() {
       operations::offset_operation<model::Model, OffsetKeeper>(),
   };
   for (scenario::Operation& operation : program.operations) {
-    if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));
+    if (operation.name == "mesh") continue;
+    operation = after_a_whole_mesh(std::move(operation));
+    if (operation.name != "shell") operation = of_plane_domains(std::move(operation));
   }
   return program;
 }

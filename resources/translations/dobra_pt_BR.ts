@@ -6080,5 +6080,17 @@
         <source>Most by which sizes may grow from one element to the next; 1.2 on surfaces where left out.</source>
         <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; 1,2 em superfícies onde for omitido.</translation>
     </message>
+    <message>
+        <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as it is written.</source>
+        <translation>O que coloca os nós internos: fileiras do contorno para dentro; um a um numa triangulação de Delaunay, mais lenta (só domínios planos); ou a frente do artigo sobre superfícies, como está escrita.</translation>
+    </message>
+    <message>
+        <source>Boundary model</source>
+        <translation>Modelo de fronteira</translation>
+    </message>
+    <message>
+        <source>Geometry as a drawing or as lines, a mesh whose boundary is meant, or faces of a boundary model.</source>
+        <translation>Geometria como desenho ou como linhas, uma malha cujo contorno é o que se quer, ou faces de um modelo de fronteira.</translation>
+    </message>
 </context>
 </TS>
