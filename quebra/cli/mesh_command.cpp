@@ -169,7 +169,7 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   }
   json["seconds"]["total"] = total;
   json["peak_memory"] = figures.peak_memory;
-  if (model.surfaces) json["findings"] = json_of(core::findings_of(model), model.units);
+  if (model.surfaces) json["findings"] = findings_json(core::findings_of(model), model.units);
   json["remarks"] = remarks;
   return text_of(json);
 }
@@ -299,7 +299,7 @@ Result<void> tell_refusal(Session& session, const MeshOptions& options, const Er
                                 [&](const auto& finding) { return finding.message == error.message; });
   if (!told) findings.push_back(finding_of(error));
   nlohmann::ordered_json json;
-  json["findings"] = json_of(findings, {});
+  json["findings"] = findings_json(findings, {});
   return dobra::cli::print(text_of(json));
 }
 
