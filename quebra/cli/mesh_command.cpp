@@ -26,6 +26,7 @@
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/faces/import.h"
+#include "shared/io/file.h"
 #include "shared/io/formats/mesh_file.h"
 #include "shared/scenario/runner.h"
 
@@ -168,7 +169,7 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   }
   json["seconds"]["total"] = total;
   json["peak_memory"] = figures.peak_memory;
-  if (model.surfaces) json["findings"] = json_of(core::findings_of(model), model.units);
+  if (model.surfaces) json["findings"] = findings_json(core::findings_of(model), model.units);
   json["remarks"] = remarks;
   return text_of(json);
 }
@@ -211,6 +212,13 @@ Result<void> check_files(const MeshOptions& options, const scenario::Document& d
     DOBRA_TRY_VOID(io::formats::check_mesh_ending(options.out->string(), io::formats::Use::WriteSpaceMesh));
   if (!options.histogram && !options.size_field) return {};
   return Error{ErrorCode::BadUsage, "--histogram and --size-field draw plane meshes; a mesh of surfaces has none"};
+}
+
+/// In space, where the state has such a picture.
+Result<void> draw_last(const scenario::Program& program, const scenario::State& state,
+                       const std::filesystem::path& file) {
+  if (const auto space = program.space_of(state)) return dobra::cli::draw(*space, file, dobra::cli::Drawer::Cairo);
+  return dobra::cli::draw(program.picture_of(state), file, dobra::cli::Drawer::Cairo);
 }
 
 Result<int> mesh_job(Session& session, const MeshOptions& options) {
@@ -260,8 +268,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   }
   if (options.histogram)
     DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
-  if (options.picture)
-    DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.picture) DOBRA_TRY_VOID(draw_last(session.program, state, *options.picture));
   if (options.size_field)
     DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::size_field_picture(model, meshed), model.units), *options.size_field,
                                     dobra::cli::Drawer::Cairo));
@@ -276,20 +283,23 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   return 0;
 }
 
-/// A refusal of bad input, or of what cannot be meshed, as JSON too.
+/// A refusal of bad surfaces, or of what cannot be meshed of them, as JSON too.
 Result<void> tell_refusal(Session& session, const MeshOptions& options, const Error& error) {
   const int code = base::exit_code(error.code);
   if (session.options.format != dobra::cli::OutputFormat::Json || (code != 3 && code != 4)) return {};
   const std::filesystem::path& file = options.input.scenario.file;
   std::vector<surf::mesh::Finding> findings;
-  if (core::is_brep(file.string())) {
+  const bool brep = core::is_brep(file.string());
+  const auto text = brep ? Result<std::string>(std::string()) : io::read_text(file);
+  if (!brep && (!text || text->find("[[input.surface]]") == std::string::npos)) return {};
+  if (brep) {
     if (auto faces = io::faces::faces_of_file(file.string())) findings = std::move(faces->findings);
   }
   const bool told = std::any_of(findings.begin(), findings.end(),
                                 [&](const auto& finding) { return finding.message == error.message; });
   if (!told) findings.push_back(finding_of(error));
   nlohmann::ordered_json json;
-  json["findings"] = json_of(findings, {});
+  json["findings"] = findings_json(findings, {});
   return dobra::cli::print(text_of(json));
 }
 

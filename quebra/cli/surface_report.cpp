@@ -83,7 +83,7 @@ const char* name_of(base::ErrorCode code) {
   return "error";
 }
 
-nlohmann::ordered_json json_of(const base::Place& place, const scenario::UnitSystem& units) {
+nlohmann::ordered_json place_json(const base::Place& place, const scenario::UnitSystem& units) {
   nlohmann::ordered_json json;
   if (!place.file.empty()) json["file"] = place.file;
   if (place.line > 0) json["line"] = place.line;
@@ -97,12 +97,13 @@ nlohmann::ordered_json json_of(const base::Place& place, const scenario::UnitSys
 
 }  // namespace
 
-nlohmann::ordered_json json_of(const std::vector<surf::mesh::Finding>& findings, const scenario::UnitSystem& units) {
+nlohmann::ordered_json findings_json(const std::vector<surf::mesh::Finding>& findings,
+                                     const scenario::UnitSystem& units) {
   auto json = nlohmann::ordered_json::array();
   for (const surf::mesh::Finding& finding : findings) {
     json.push_back({{"code", finding.code},
                     {"message", scenario::message_in_units(finding.message, units)},
-                    {"place", json_of(finding.place, units)}});
+                    {"place", place_json(finding.place, units)}});
   }
   return json;
 }

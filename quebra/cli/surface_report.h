@@ -11,8 +11,8 @@ namespace quebra::cli {
 
 /// [{"code", "message", "place"}]; a place is {"point": [x, y, z], "uv": [u, v]} or {"file", "line"}, with the parts
 /// that are known, or null.
-nlohmann::ordered_json json_of(const std::vector<dobra::surf::mesh::Finding>& findings,
-                               const dobra::scenario::UnitSystem& units);
+nlohmann::ordered_json findings_json(const std::vector<dobra::surf::mesh::Finding>& findings,
+                                     const dobra::scenario::UnitSystem& units);
 dobra::surf::mesh::Finding finding_of(const dobra::base::Error& error);
 
 }  // namespace quebra::cli

@@ -235,6 +235,14 @@ Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scen
   return sketch;
 }
 
+std::vector<dobra::scenario::FileKind> input_files() {
+  using dobra::io::formats::Use;
+  std::vector<dobra::scenario::FileKind> kinds =
+      dobra::scenario::lines::file_kinds({Use::ReadDrawing, Use::ReadLines, Use::ReadMesh});
+  kinds.push_back({"Boundary model", {".brep"}});
+  return kinds;
+}
+
 bool is_brep(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -178,6 +178,9 @@ struct PointParams {
   }
 };
 
+/// What `file` may be.
+std::vector<dobra::scenario::FileKind> input_files();
+
 struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
   sketch::SpecimenKind specimen = sketch::SpecimenKind::None;
   std::optional<double> width, height, radius, crack, position;
@@ -237,10 +240,8 @@ struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
              .when = "specimen in centre_crack, brazilian_disc"});
     d.file("file", &InputParams::file,
            {.title = "File",
-            .help = "Geometry as a drawing or as lines, or a mesh whose boundary is meant.",
-            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadDrawing,
-                                                         dobra::io::formats::Use::ReadLines,
-                                                         dobra::io::formats::Use::ReadMesh})});
+            .help = "Geometry as a drawing or as lines, a mesh whose boundary is meant, or faces of a boundary model.",
+            .files = input_files()});
     d.field("kind", &InputParams::kinds,
             {.title = "Kinds by names",
              .help = "What curves of the file are, such as 'C*=crack': outline, hole, internal, crack, found (as the "

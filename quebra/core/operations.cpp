@@ -1,5 +1,7 @@
 #include "quebra/core/operations.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -170,6 +172,15 @@ scenario::Operation mesh_operation() {
       "mesh", "Mesh",
       "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
       mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
+  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
+                                        const scenario::Context& context,
+                                        const base::Progress& progress) -> base::Result<scenario::State> {
+    if (!scenario::model_of<model::Model>(state).surfaces || table.find("growth") != nullptr)
+      return run(state, table, context, progress);
+    scenario::Table own = table;
+    own.set("growth", surf::mesh::SizeOptions{}.growth);
+    return run(state, own, context, progress);
+  };
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -183,6 +194,22 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
     if (mesher_at_work(state)) {
       return base::Error{base::ErrorCode::CannotMesh,
                          "the mesh before this step was stopped before it was done: set its stop_after to 0"};
+    }
+    return run(state, table, context, progress);
+  };
+  return operation;
+}
+
+/// What works on a plane domain has nothing to do with surfaces.
+scenario::Operation of_plane_domains(scenario::Operation operation) {
+  operation.run = [run = operation.run, name = operation.name](
+                      const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+                      const base::Progress& progress) -> base::Result<scenario::State> {
+    if (scenario::model_of<model::Model>(state).surfaces) {
+      return base::Error{base::ErrorCode::NotSupported,
+                         fmt::format("`{}` is of plane domains; a mesh of surfaces goes on to the step `shell`, which "
+                                     "writes it for other programs",
+                                     name)};
     }
     return run(state, table, context, progress);
   };
@@ -232,7 +259,13 @@ scenario::Program make_program() {
   program.importing = importing();
   program.units_of = units_of;
   program.names_of = [](const scenario::State& state, const std::string& what) {
-    return names_in(scenario::model_of<model::Model>(state).domain, what);
+    const auto& model = scenario::model_of<model::Model>(state);
+    if (!model.surfaces) return names_in(model.domain, what);
+    std::vector<std::string> names;
+    for (const auto& face : model.surfaces->faces) {
+      if (what == "surface" || what == "region") add_once(face.name, names);
+    }
+    return names;
   };
   program.name_at = [](const scenario::State& state, const std::string& what,
                        const std::optional<dobra::scene::Pick>& line, geom::Point at) {
@@ -243,6 +276,7 @@ scenario::Program make_program() {
       .tables = finding_tables,
       .remarks = [](const model::Model& model, auto& remarks) { remarks = model.remarks; },
       .draw = draw_model,
+      .draw_space = draw_surfaces_in_space,
   });
   program.operations = {
       scenario::make_operation<model::Model, meshing::ConstraintParams>(
@@ -285,7 +319,9 @@ scenario::Program make_program() {
       operations::offset_operation<model::Model, OffsetKeeper>(),
   };
   for (scenario::Operation& operation : program.operations) {
-    if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));
+    if (operation.name == "mesh") continue;
+    operation = after_a_whole_mesh(std::move(operation));
+    if (operation.name != "shell") operation = of_plane_domains(std::move(operation));
   }
   return program;
 }

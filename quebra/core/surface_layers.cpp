@@ -85,8 +85,8 @@ class DrawnChart {
   double u_ = 1.0, v_ = 1.0;
 };
 
-constexpr scene::Color crack_red{198, 40, 40};
-constexpr scene::Color mesh_line{55, 71, 79, 150};
+constexpr scene::Color chart_crack_red{198, 40, 40};
+constexpr scene::Color chart_mesh_line{55, 71, 79, 150};
 constexpr int samples_an_edge = 96;
 
 geom::Polyline drawn(const surf::trim::ChartEdge& edge, const DrawnChart& chart) {
@@ -112,7 +112,7 @@ void add_lines(const surf::trim::TrimmedSurface& face, const DrawnChart& chart, 
   };
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, std::move(borders));
   add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, std::move(inner));
-  add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8}, std::move(cracks));
+  add("cracks", translated("Cracks"), {.line = chart_crack_red, .line_width = 1.8}, std::move(cracks));
 }
 
 scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, const DrawnChart& chart) {
@@ -129,7 +129,7 @@ scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, co
   content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
   return {"mesh",
           translated("Mesh"),
-          {.line = mesh_line, .line_width = values.size() > 20000 ? 0.1 : 0.35},
+          {.line = chart_mesh_line, .line_width = values.size() > 20000 ? 0.1 : 0.35},
           std::move(content),
           true,
           scene::InLegend::No};
@@ -151,6 +151,76 @@ void draw_surfaces(const model::Model& model, scene::Picture& picture) {
     add_lines(faces[f], chart, panel.layers);
     picture.panels.push_back(std::move(panel));
   }
+}
+
+namespace {
+
+scene::space::Layer space_mesh(const model::SurfaceMeshed& meshed) {
+  scene::space::Surface content;
+  std::vector<geom::Point3> points;
+  std::vector<geom::Point> chart;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> ids;
+  // A corner each, so that every one has its place in the chart of its face.
+  for (std::size_t t = 0; t < meshed.mesh.triangles.size(); ++t) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+      points.push_back(meshed.mesh.point(meshed.mesh.triangles[t][i]));
+      chart.push_back(meshed.mesh.places[t][i]);
+    }
+    triangles.push_back({first, first + 1, first + 2});
+    ids.push_back(meshed.mesh.faces[t]);
+  }
+  content.points = std::move(points), content.chart = std::move(chart), content.triangles = std::move(triangles);
+  content.ids = std::move(ids);
+  content.values_at = scene::ValuesAt::Triangles;
+  content.values = alphas(meshed.mesh);
+  content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
+  const bool many = meshed.mesh.triangles.size() > 20000;
+  return {"mesh",
+          translated("Mesh"),
+          {.line = chart_mesh_line, .line_width = many ? 0.0 : 0.35},
+          std::move(content),
+          true,
+          scene::InLegend::No,
+          {}};
+}
+
+std::vector<geom::Point3> in_space(const surf::trim::ChartEdge& edge, const surf::Surface& surface) {
+  std::vector<geom::Point3> line;
+  for (int i = 0; i <= samples_an_edge; ++i) {
+    const double part = static_cast<double>(i) / samples_an_edge;
+    line.push_back(surface.at(edge.at(edge.from + part * (edge.to - edge.from))));
+  }
+  return line;
+}
+
+}  // namespace
+
+void draw_surfaces_in_space(const model::Model& model, scene::space::SpacePicture& picture) {
+  if (!model.surfaces) return;
+  std::vector<std::vector<geom::Point3>> borders, inner, cracks;
+  for (const auto& face : model.surfaces->faces) {
+    for (const auto& loop : face.loops) {
+      for (const auto& edge : loop.edges) borders.push_back(in_space(edge, face.surface));
+    }
+    for (const auto& line : face.lines) {
+      auto& to = line.kind == surf::trim::ChartLine::Kind::Crack ? cracks : inner;
+      for (const auto& edge : line.edges) to.push_back(in_space(edge, face.surface));
+    }
+  }
+  if (!model.surface_meshes.empty()) picture.layers.push_back(space_mesh(*model.surface_meshes.back()));
+  const auto add = [&](const char* key, std::string title, const scene::Style& style,
+                       std::vector<std::vector<geom::Point3>> lines) {
+    if (lines.empty()) return;
+    scene::space::Lines content;
+    content.lines = std::move(lines);
+    picture.layers.push_back({key, std::move(title), style, std::move(content), true, scene::InLegend::Yes, {}});
+  };
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, std::move(borders));
+  add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, std::move(inner));
+  add("cracks", translated("Cracks"), {.line = chart_crack_red, .line_width = 1.8}, std::move(cracks));
+  picture.camera = scene::space::camera_of(scene::space::StandardView::Isometric);
 }
 
 void add_surface_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {

@@ -3,11 +3,14 @@
 
 #include "quebra/model/model.h"
 #include "shared/scenario/program.h"
+#include "shared/scene/space/picture.h"
 
 namespace quebra::core {
 
 /// @pre model.surfaces, here and below
 void draw_surfaces(const model::Model& model, dobra::scene::Picture& picture);
+/// The mesh with its quality, borders, lines inside and cracks in space; before any mesh the borders alone.
+void draw_surfaces_in_space(const model::Model& model, dobra::scene::space::SpacePicture& picture);
 /// Counts, area, quality: of the last mesh by their plain names, of each as "mesh.1.elements".
 void add_surface_quantities(const model::Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 /// What was found and mended: of the surfaces, and of the last mesh.

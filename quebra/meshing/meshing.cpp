@@ -20,6 +20,7 @@
 #include "shared/mesh/lips.h"
 #include "shared/mesh/order2.h"
 #include "shared/mesh/recombine.h"
+#include "shared/surf/paper/paper_mesher.h"
 
 namespace quebra::meshing {
 namespace {
@@ -445,6 +446,30 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
   return prepared;
 }
 
+/// The mesher of the paper in the plane: a surface that is flat.
+Result<TriangleMesh> by_paper(const MeshInput& input, const MeshParams& params, const dobra::base::Progress& progress) {
+  dobra::geom::Box box;
+  for (const Point p : input.points) box.add(p);
+  DOBRA_TRY(auto plane, dobra::surf::Surface::plane({}, box));
+  dobra::surf::mesh::ChartInput chart{std::move(plane), input, {}, {}};
+  for (const Point p : input.points) {
+    chart.at.push_back({p.x, p.y, 0.0});
+    chart.node.push_back(static_cast<std::uint32_t>(chart.node.size()));
+  }
+  dobra::surf::paper::PaperOptions options;
+  options.largest = params.size;
+  options.turn = params.turn.degrees();
+  options.passes = params.smoothing;
+  options.most_triangles = static_cast<std::size_t>(params.max_elements);
+  auto made = dobra::surf::paper::paper_mesh(chart, options, progress);
+  if (!made) {
+    dobra::base::Error error = made.error();
+    if (error.place) error.place->z = error.place->u = error.place->v = std::nullopt;
+    return error;
+  }
+  return std::move(made->chart);
+}
+
 std::string name_of_next(const model::Model& model, const MeshParams& params) {
   return !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
 }
@@ -478,7 +503,12 @@ Result<model::Meshed> mesh_domain(const model::Model& model, const MeshParams& p
   DOBRA_TRY(const Prepared prepared, prepare(model, params, wishes, source, remarks));
   done("divide");
   TriangleMesh triangles;
-  {  // The mesher's memory is given back before the elements are made.
+  if (params.engine == EngineChoice::Paper) {
+    DOBRA_TRY(triangles, by_paper(prepared.input, params, progress));
+    DOBRA_TRY(auto sizes, dobra::mesh::front::size_field_of(prepared.input, prepared.options.sizes));
+    DOBRA_TRY_VOID(source.check());
+    meshed.sizes = std::make_shared<const dobra::mesh::sizing::SizeField>(std::move(sizes));
+  } else {  // The mesher's memory is given back before the elements are made.
     DOBRA_TRY(auto mesher, dobra::mesh::front::Mesher::start(prepared.input, prepared.options, progress));
     DOBRA_TRY_VOID(source.check());
     constexpr std::size_t between_checks = 8192;
@@ -505,6 +535,10 @@ Result<model::Model> add_mesh(const model::Model& model, const MeshParams& param
   result.work.reset();
   DOBRA_TRY(const SizeSource source,
             SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
+  if (params.stop_after > 0 && params.engine == EngineChoice::Paper) {
+    return dobra::base::Error{dobra::base::ErrorCode::NotSupported,
+                              "`stop_after` shows the engines front and delaunay at work; set it to 0"};
+  }
   if (params.stop_after > 0) {
     DOBRA_TRY(result.work, work_on(model, params, source, progress));
     if (result.work) {

@@ -42,10 +42,12 @@ struct MeshRules {
 
   template <class P, class D>
   static void describe_in(D& d) {
-    d.field("size_formula", of<P>(&MeshRules::size_formula),
-            {.title = "Size by formula",
-             .help = "Of x and y: \"0.1 + 0.05 * hypot(x, y)\"; the least of all sizes counts.",
-             .unit = "m"});
+    d.field(
+        "size_formula", of<P>(&MeshRules::size_formula),
+        {.title = "Size by formula",
+         .help = "Of x and y: \"0.1 + 0.05 * hypot(x, y)\"; the least of all sizes counts. On surfaces of x, y, z and, "
+                 "where one is meshed, of the u and v of its chart.",
+         .unit = "m"});
     d.file("background", of<P>(&MeshRules::background),
            {.title = "Background mesh",
             .help = "Its elements' sizes, or those of a field of it, are wanted.",
@@ -72,7 +74,7 @@ struct MeshRules {
              .at_least = 0});
     d.field("growth", of<P>(&MeshRules::growth),
             {.title = "Growth",
-             .help = "Most by which sizes may grow from one element to the next.",
+             .help = "Most by which sizes may grow from one element to the next; 1.2 on surfaces where left out.",
              .above = 1,
              .at_most = 10});
     d.field("narrow", of<P>(&MeshRules::narrow),
@@ -84,8 +86,8 @@ struct MeshRules {
     d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay", "paper"},
              {.title = "Engine",
               .help = "What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay "
-                      "triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as "
-                      "it is written."});
+                      "triangulation, which is slower (plane domains only); or the front of [miranda2009surface] as it "
+                      "is written."});
     d.field("smoothing", of<P>(&MeshRules::smoothing), {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", of<P>(&MeshRules::max_elements),
             {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});

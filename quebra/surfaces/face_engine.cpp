@@ -35,8 +35,7 @@ Result<FilledFace> mesh_face(const surf::mesh::ChartInput& input, const SurfaceM
   front.smoothing.passes = options.smoothing;
   DOBRA_TRY(auto mesher, surf::mesh::ChartMesher::start(input, front, progress));
   DOBRA_TRY_VOID(finish(mesher, progress));
-  surf::mesh::ChartMesh made = mesher.mesh();
-  return FilledFace{{std::move(made.chart), std::move(made.at)}, {}};
+  return FilledFace{mesher.mesh(), {}};
 }
 
 }  // namespace quebra::surfaces

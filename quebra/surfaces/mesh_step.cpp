@@ -15,15 +15,13 @@ using meshing::MeshParams;
 namespace {
 
 Result<void> check(const MeshParams& params) {
-  const auto refused = [](const char* what) {
-    return Error{ErrorCode::NotSupported, fmt::format("{}, not of surfaces", what)};
-  };
+  const auto refused = [](const char* what) { return Error{ErrorCode::NotSupported, what}; };
   if (params.engine == meshing::EngineChoice::Delaunay)
     return Error{ErrorCode::NotSupported,
                  "engine = \"delaunay\" meshes plane domains only: on surfaces give \"front\" or \"paper\""};
-  if (!params.background.empty()) return refused("a background mesh is of plane domains");
-  if (params.rosettes == meshing::UseRosettes::Yes) return refused("rosettes are of plane domains");
-  if (params.stop_after > 0) return refused("`stop_after` is of plane domains");
+  if (!params.background.empty()) return refused("a background mesh is of plane domains, not of surfaces");
+  if (params.rosettes == meshing::UseRosettes::Yes) return refused("rosettes are of plane domains, not of surfaces");
+  if (params.stop_after > 0) return refused("`stop_after` is of plane domains, not of surfaces");
   return {};
 }
 
@@ -39,6 +37,7 @@ Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParam
                    .growth = params.growth,
                    .narrow = params.narrow};
   options.engine = params.engine == meshing::EngineChoice::Paper ? SurfaceEngine::Paper : SurfaceEngine::Front;
+  options.size_formula = params.size_formula;
   options.smoothing = params.smoothing;
   options.quadrilaterals = params.quadrilaterals == meshing::Quadrilaterals::Yes;
   options.second_order = params.order == meshing::Order::Second;

@@ -2,12 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "quebra/surfaces/face_engine.h"
+#include "shared/base/formula.h"
 #include "shared/surf/mesh/assemble.h"
+#include "shared/surf/mesh/free_borders.h"
 #include "shared/surf/trim/area.h"
+#include "shared/surf/trim/open.h"
 
 namespace quebra::surfaces {
 
@@ -15,6 +22,7 @@ using namespace dobra;
 using base::Result;
 using surf::mesh::Division;
 using surf::mesh::FaceMesh;
+using surf::trim::TrimmedSurface;
 
 namespace {
 
@@ -42,18 +50,128 @@ base::Error in_written(base::Error error, const model::SurfaceSet& set, std::siz
   return base::located(std::move(error), where);
 }
 
+base::Error in_chart_of_face(base::Error error, const surf::trim::Opened& opened) {
+  if (!opened.polar || !error.place || !error.place->u || !error.place->v) return error;
+  const geom::Point place = opened.back({*error.place->u, *error.place->v});
+  error.place->u = place.x, error.place->v = place.y;
+  return error;
+}
+
+/// The faces in charts without poles, and of which face each is.
+struct Charts {
+  std::vector<TrimmedSurface> faces;
+  std::vector<surf::trim::Opened> opened;
+  std::vector<std::size_t> owner;
+};
+
+Result<Charts> open_charts(const model::SurfaceSet& set) {
+  surf::trim::SharedCurveId next = 1U << 20U;
+  for (const TrimmedSurface& face : set.faces) {
+    for (const auto& loop : face.loops) {
+      for (const auto& edge : loop.edges) next = std::max(next, edge.shared.value_or(0) + 1);
+    }
+    for (const auto& line : face.lines) {
+      for (const auto& edge : line.edges) next = std::max(next, edge.shared.value_or(0) + 1);
+    }
+  }
+  surf::trim::SharedNumbers numbers(next);
+  Charts charts;
+  for (std::size_t f = 0; f < set.faces.size(); ++f) {
+    auto opened = surf::trim::open(set.faces[f], numbers);
+    if (!opened) return in_written(opened.error(), set, f);
+    for (surf::trim::Opened& one : *opened) {
+      charts.faces.push_back(one.face);
+      charts.owner.push_back(f);
+      charts.opened.push_back(std::move(one));
+    }
+  }
+  return charts;
+}
+
+/// Places in the charts of the faces as they were given.
+void give_back(const Charts& charts, model::SurfaceMeshed& meshed) {
+  surf::mesh::SurfaceMesh& mesh = meshed.mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t chart = mesh.faces[t];
+    if (charts.opened[chart].polar) {
+      for (geom::Point& place : mesh.places[t]) place = charts.opened[chart].back(place);
+    }
+    mesh.faces[t] = static_cast<std::uint32_t>(charts.owner[chart]);
+  }
+  surf::mesh::SurfaceElements& elements = meshed.elements;
+  for (std::size_t e = 0; e < elements.faces.size(); ++e) {
+    const std::uint32_t chart = elements.faces[e];
+    if (charts.opened[chart].polar) {
+      const std::size_t first = elements.mesh.first[e];
+      for (std::size_t i = 0; i < mesh::node_count(elements.mesh.types[e]); ++i)
+        elements.places[first + i] = charts.opened[chart].back(elements.places[first + i]);
+    }
+    elements.faces[e] = static_cast<std::uint32_t>(charts.owner[chart]);
+  }
+}
+
+/// @param units  of the chart, where u and v may be asked for.
+Result<std::function<double(geom::Point, geom::Point3)>> wanted_by(const std::string& text,
+                                                                   const std::optional<geom::Vector>& units) {
+  std::vector<std::string> names{"x", "y", "z"};
+  if (units) names.insert(names.end(), {"u", "v"});
+  auto formula = base::Formula::make(text, names, {.called = "size_formula", .whole = {}, .begin = 0});
+  if (!formula) {
+    base::Error error = formula.error();
+    if (!units) error.message += "; u and v are known where one face is meshed that touches no pole";
+    return error;
+  }
+  return std::function<double(geom::Point, geom::Point3)>([formula = *formula, units](geom::Point uv, geom::Point3 at) {
+    const std::array<double, 5> values{at.x, at.y, at.z, units ? uv.x / units->x : 0.0, units ? uv.y / units->y : 0.0};
+    return formula.at(std::span<const double>(values).first(units ? 5 : 3));
+  });
+}
+
+/// What a mesh that was made all the same is to be doubted for.
+void doubt(model::SurfaceMeshed& meshed) {
+  constexpr double off = 0.01, flat = 0.1;
+  const double gap = std::abs(meshed.quality.area - meshed.area_surface);
+  if (gap > off * meshed.area_surface) {
+    meshed.findings.push_back(
+        {"area_off",
+         fmt::format("the mesh has an area of {:.6g} m2, its surfaces one of {:.6g} m2: use smaller "
+                     "sizes, or look at the borders that were mended",
+                     meshed.quality.area, meshed.area_surface),
+         {}});
+  }
+  if (meshed.quality.triangles == 0 || meshed.quality.alpha_min >= flat) return;
+  const auto& corners = meshed.mesh.triangles[meshed.quality.worst.index()];
+  base::Place place;
+  const geom::Point3 p = meshed.mesh.point(corners[0]);
+  place.x = p.x, place.y = p.y, place.z = p.z;
+  meshed.findings.push_back(
+      {"flat_triangle",
+       fmt::format("a triangle has an alpha of {:.3g}: a corner of its face is sharp, or sides of its border are short",
+                   meshed.quality.alpha_min),
+       place});
+}
+
 }  // namespace
 
-Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const SurfaceMeshOptions& options,
+Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const SurfaceMeshOptions& asked,
                                            const base::Progress& progress) {
+  SurfaceMeshOptions options = asked;
   Stopwatch watch;
   model::SurfaceMeshed meshed;
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
   for (const auto& face : set.faces) meshed.area_surface += surf::trim::area(face).value;
   done("area");
+  DOBRA_TRY(const Charts charts, open_charts(set));
+  if (!options.size_formula.empty()) {
+    const bool one = charts.faces.size() == 1 && !charts.opened[0].polar;
+    DOBRA_TRY(options.sizes.wanted,
+              wanted_by(options.size_formula, one ? std::optional(set.chart_units[0]) : std::nullopt));
+  }
   surf::mesh::DivisionOptions divide{.sizes = options.sizes};
   if (options.engine == SurfaceEngine::Paper) divide.kind = surf::mesh::DivisionKind::Halving;
-  DOBRA_TRY(const Division division, surf::mesh::divide(set.faces, divide, progress.part(0.0, 0.1)));
+  const auto division_made = surf::mesh::divide(charts.faces, divide, progress.part(0.0, 0.1));
+  if (!division_made) return division_made.error();
+  const Division& division = *division_made;
   meshed.findings = division.findings;
   done("divide");
   std::vector<FaceMesh> faces;
@@ -61,19 +179,23 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
     const double from = 0.1 + 0.8 * static_cast<double>(f) / static_cast<double>(division.faces.size());
     auto face = mesh_face(division.faces[f], options,
                           progress.part(from, from + 0.8 / static_cast<double>(division.faces.size())));
-    if (!face) return in_written(face.error(), set, f);
+    if (!face) return in_written(in_chart_of_face(face.error(), charts.opened[f]), set, charts.owner[f]);
     faces.push_back(std::move(face->mesh));
     meshed.findings.insert(meshed.findings.end(), face->findings.begin(), face->findings.end());
   }
   done("fill");
-  DOBRA_TRY(meshed.mesh, surf::mesh::assemble(set.faces, division, faces));
+  DOBRA_TRY(meshed.mesh, surf::mesh::assemble(charts.faces, division, faces));
+  surf::mesh::free_borders(meshed.mesh, charts.faces, charts.owner, surf::trim::artificial_border);
   DOBRA_TRY_VOID(surf::mesh::check(meshed.mesh));
   done("assemble");
   meshed.quality = surf::mesh::quality_of(meshed.mesh);
+  doubt(meshed);
   meshed.elements = surf::mesh::elements_of(meshed.mesh);
   if (options.quadrilaterals) meshed.elements = surf::mesh::recombine(meshed.elements);
-  if (options.second_order) meshed.elements = surf::mesh::to_second_order(meshed.elements, set.faces, division.middles);
+  if (options.second_order)
+    meshed.elements = surf::mesh::to_second_order(meshed.elements, charts.faces, division.middles);
   DOBRA_TRY_VOID(surf::mesh::check(meshed.elements));
+  give_back(charts, meshed);
   done("elements");
   return meshed;
 }

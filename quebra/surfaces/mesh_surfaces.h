@@ -15,6 +15,8 @@ enum class SurfaceEngine { Front, Paper };
 
 struct SurfaceMeshOptions {
   dobra::surf::mesh::SizeOptions sizes = {};
+  /// Size wanted, m, by x, y, z [m] and u, v as they are written; empty: none.
+  std::string size_formula = {};
   SurfaceEngine engine = SurfaceEngine::Front;
   int smoothing = 3;
   bool quadrilaterals = false;
@@ -22,7 +24,9 @@ struct SurfaceMeshOptions {
   std::size_t most_triangles = 20'000'000;
 };
 
-/// @error those of divide, of the engines, of assemble; CannotMesh with the place where the mesh is not what was asked:
+/// @error BadValue: a formula that cannot be read, u and v in it where several faces or poles leave open whose they
+/// are;
+///        those of divide, of the engines, of assemble; CannotMesh with the place where the mesh is not what was asked:
 ///        a triangle folded in its chart, a border that is not kept.
 dobra::base::Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const SurfaceMeshOptions& options,
                                                         const dobra::base::Progress& progress = {});

@@ -31,9 +31,9 @@ namespace {
 Vector3 vector_of(const ShellLoadParams& load) { return {load.x, load.y, load.z}; }
 
 /// Makes a Shell; the elements must outlive it.
-class Maker {
+class ShellMaker {
  public:
-  Maker(const SurfaceElements& elements, const ShellParams& params) : elements_(elements), params_(params) {}
+  ShellMaker(const SurfaceElements& elements, const ShellParams& params) : elements_(elements), params_(params) {}
 
   Result<Shell> run() {
     DOBRA_TRY_VOID(give_sections());
@@ -203,7 +203,7 @@ std::array<double, 3> components(Vector3 v) { return {v.x, v.y, v.z}; }
 }  // namespace
 
 Result<Shell> make_shell(const SurfaceElements& elements, const ShellParams& params) {
-  return Maker(elements, params).run();
+  return ShellMaker(elements, params).run();
 }
 
 Result<std::string> shell_inp(const SurfaceElements& elements, const Shell& shell, const scenario::UnitSystem& units) {

@@ -11,7 +11,7 @@
 namespace quebra::surfaces {
 
 struct ShellMaterialParams {
-  std::string region;
+  std::string region = {};
   double young = 0.0, poisson = 0.3, thickness = 0.0;
 
   template <class D>
@@ -32,9 +32,9 @@ struct ShellMaterialParams {
 };
 
 struct ShellSupportParams {
-  std::string where;
-  std::optional<double> x, y, z;
-  std::optional<dobra::base::Angle> turn_x, turn_y, turn_z;
+  std::string where = {};
+  std::optional<double> x = {}, y = {}, z = {};
+  std::optional<dobra::base::Angle> turn_x = {}, turn_y = {}, turn_z = {};
 
   template <class D>
   static void describe(D& d) {
@@ -57,7 +57,7 @@ struct ShellSupportParams {
 enum class ShellLoadKind { Area, Pressure, Body, Edge, Force };
 
 struct ShellLoadParams {
-  std::string where;
+  std::string where = {};
   ShellLoadKind kind = ShellLoadKind::Area;
   double x = 0.0, y = 0.0, z = 0.0, value = 0.0;
   static constexpr const char* by_kind = "Pa, N/m3 if kind = body, N/m if kind = edge, N if kind = force";

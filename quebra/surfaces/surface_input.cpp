@@ -38,9 +38,9 @@ bool speaks_of(const std::string& message, const std::string& key) {
 }
 
 /// Makes the faces; each step has the line of the table that it is about.
-class Maker {
+class SurfaceMaker {
  public:
-  Maker(const SurfaceInput& input, const scenario::Table& table, const scenario::UnitSystem& units)
+  SurfaceMaker(const SurfaceInput& input, const scenario::Table& table, const scenario::UnitSystem& units)
       : input_(input), table_(table), units_(units) {}
 
   Result<Surfaces> run() {
@@ -48,10 +48,15 @@ class Maker {
     DOBRA_TRY_VOID(make_all());
     DOBRA_TRY_VOID(check_owners());
     Surfaces made;
+    surf::trim::SharedNumbers numbers;
+    std::int32_t regions = 0;  // so many tags are taken
     for (std::size_t s = 0; s < input_.surfaces.size(); ++s) {
       if (input_.surfaces[s].use == SurfaceUse::Tool) continue;
-      DOBRA_TRY(std::vector<surf::trim::TrimmedSurface> faces, trimmed(s, made.findings));
+      DOBRA_TRY(std::vector<surf::trim::TrimmedSurface> faces, trimmed(s, numbers, made.findings));
       for (auto& face : faces) {
+        std::int32_t greatest = regions;
+        for (auto& region : face.regions) greatest = std::max(greatest, region.region += regions);
+        regions = greatest;
         face.reversed = input_.surfaces[s].facing == Facing::Against;
         face.place = place("surface", s);
         face.place.item.clear();
@@ -173,7 +178,7 @@ class Maker {
     return {};
   }
 
-  Result<std::vector<surf::trim::TrimmedSurface>> trimmed(std::size_t s,
+  Result<std::vector<surf::trim::TrimmedSurface>> trimmed(std::size_t s, surf::trim::SharedNumbers& numbers,
                                                           std::vector<surf::mesh::Finding>& findings) const {
     const ChartUnits units = chart_units(input_.surfaces[s].kind, units_);
     Trimming work(surfaces_[s], input_.surfaces[s].name, units);
@@ -199,7 +204,7 @@ class Maker {
       if (const auto added = work.add(input_.surface_points[i]); !added)
         return at_line(added.error(), "surface_point", i);
     }
-    auto faces = work.faces(findings);
+    auto faces = work.faces(numbers, findings);
     if (!faces) return base::located(faces.error(), place("surface", s));
     return faces;
   }
@@ -217,7 +222,7 @@ class Maker {
 
 Result<Surfaces> make_surfaces(const SurfaceInput& input, const scenario::Table& table,
                                const scenario::UnitSystem& units) {
-  return Maker(input, table, units).run();
+  return SurfaceMaker(input, table, units).run();
 }
 
 }  // namespace quebra::surfaces

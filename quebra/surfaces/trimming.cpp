@@ -285,13 +285,14 @@ Result<std::vector<std::size_t>> Trimming::kept(const surf::trim::Recognised& re
   return faces;
 }
 
-Result<std::vector<TrimmedSurface>> Trimming::faces(std::vector<surf::mesh::Finding>& findings) const {
+Result<std::vector<TrimmedSurface>> Trimming::faces(surf::trim::SharedNumbers& numbers,
+                                                    std::vector<surf::mesh::Finding>& findings) const {
   std::vector<surf::trim::TrimLine> lines;
   for (const Drawn& drawn : drawn_) {
     const bool bounds = drawn.role == TrimRole::Hole || drawn.role == TrimRole::Outline || drawn.role == TrimRole::Cut;
     lines.push_back({{drawn.edges, kind_of(drawn.role)}, drawn.closed, bounds});
   }
-  auto recognised = surf::trim::recognise(surface_, lines);
+  auto recognised = surf::trim::recognise(surface_, lines, numbers, {.name_sides = false});
   if (!recognised) return as_written(recognised.error());
   for (const surf::trim::Finding& finding : recognised->findings()) {
     const Error told = as_written({ErrorCode::BadDomain, finding.message, finding.place});

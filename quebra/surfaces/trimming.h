@@ -28,8 +28,9 @@ class Trimming {
   /// The faces that are left; their loops have the outside on the right. Sides of the chart are the sets NAME_left,
   /// NAME_right (ends of u), NAME_bottom and NAME_top (ends of v).
   /// @error BadDomain with the place: lines that cross, parts that are not there, nothing left.
+  /// @param numbers  of edges that are one curve, kept from surface to surface.
   dobra::base::Result<std::vector<dobra::surf::trim::TrimmedSurface>> faces(
-      std::vector<dobra::surf::mesh::Finding>& findings) const;
+      dobra::surf::trim::SharedNumbers& numbers, std::vector<dobra::surf::mesh::Finding>& findings) const;
 
  private:
   dobra::base::Result<void> add_cut(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);

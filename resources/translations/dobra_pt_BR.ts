@@ -5479,6 +5479,542 @@
         <translation>etapa %1</translation>
     </message>
     <message>
+        <source>By which surfaces know it.</source>
+        <translation>Pelo qual as superfícies a conhecem.</translation>
+    </message>
+    <message>
+        <source>line: a chain of points; arc: through three points; circle: a centre, an axis and angles; bezier: one of any degree, by its vertices; nurbs: control points with knots; spline: smooth through the points.</source>
+        <translation>linha: uma cadeia de pontos; arco: por três pontos; circunferência: um centro, um eixo e ângulos; bezier: uma de qualquer grau, por seus vértices; nurbs: pontos de controle com nós; spline: suave pelos pontos.</translation>
+    </message>
+    <message>
+        <source>Points (x, y, z)</source>
+        <translation>Pontos (x, y, z)</translation>
+    </message>
+    <message>
+        <source>In order. An arc has three: first, one on the way, last.</source>
+        <translation>Em ordem. Um arco tem três: o primeiro, um no caminho e o último.</translation>
+    </message>
+    <message>
+        <source>One a point, greater than 0; all 1 where none are given.</source>
+        <translation>Um por ponto, maior que 0; todos 1 onde nenhum é dado.</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Nós</translation>
+    </message>
+    <message>
+        <source>Not decreasing, one for each point and degree + 1 more.</source>
+        <translation>Não decrescentes, um para cada ponto e grau + 1 a mais.</translation>
+    </message>
+    <message>
+        <source>Centre (x, y, z)</source>
+        <translation>Centro (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Of a circle.</source>
+        <translation>De uma circunferência.</translation>
+    </message>
+    <message>
+        <source>Of a circle: it turns anticlockwise about it; z where left out.</source>
+        <translation>De uma circunferência: ela gira no sentido anti-horário em torno dele; z onde for omitido.</translation>
+    </message>
+    <message>
+        <source>Direction of angle 0</source>
+        <translation>Direção do ângulo 0</translation>
+    </message>
+    <message>
+        <source>Of a circle; square to the axis where left out.</source>
+        <translation>De uma circunferência; perpendicular ao eixo onde for omitida.</translation>
+    </message>
+    <message>
+        <source>Of a part of a circle.</source>
+        <translation>De uma parte de uma circunferência.</translation>
+    </message>
+    <message>
+        <source>Of a part of a circle; 360 is all of it.</source>
+        <translation>De uma parte de uma circunferência; 360 é ela toda.</translation>
+    </message>
+    <message>
+        <source>nurbs</source>
+        <translation>nurbs</translation>
+    </message>
+    <message>
+        <source>Of the region of its elements; trims name it.</source>
+        <translation>Da região de seus elementos; os recortes o citam.</translation>
+    </message>
+    <message>
+        <source>ruled, extruded, revolved, coons: of space curves; graph: height by a formula; nurbs: control points with knots; through: smooth through a grid of points.</source>
+        <translation>regrada, extrudada, de revolução, coons: de curvas no espaço; gráfico: altura por uma fórmula; nurbs: pontos de controle com nós; por pontos: suave por uma grade de pontos.</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>tool: it is not meshed and only cuts others.</source>
+        <translation>ferramenta: não recebe malha e só corta outras.</translation>
+    </message>
+    <message>
+        <source>Names of space curves. ruled: v = 0 and v = 1; extruded, revolved: the profile; coons: bottom, top (both along u), left and right (both along v).</source>
+        <translation>Nomes de curvas no espaço. regrada: v = 0 e v = 1; extrudada, de revolução: o perfil; coons: inferior, superior (ambas ao longo de u), esquerda e direita (ambas ao longo de v).</translation>
+    </message>
+    <message>
+        <source>Origin (x, y, z)</source>
+        <translation>Origem (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Centre of a sphere or torus, a point of an axis, the point u = v = 0 of a plane.</source>
+        <translation>Centro de uma esfera ou toro, um ponto de um eixo, o ponto u = v = 0 de um plano.</translation>
+    </message>
+    <message>
+        <source>Direction of the axis; of a plane its normal. z where left out.</source>
+        <translation>Direção do eixo; de um plano, a sua normal. z onde for omitida.</translation>
+    </message>
+    <message>
+        <source>Direction of u = 0</source>
+        <translation>Direção de u = 0</translation>
+    </message>
+    <message>
+        <source>Where longitudes begin; of a plane the direction of u. Square to the axis where left out.</source>
+        <translation>Onde começam as longitudes; de um plano, a direção de u. Perpendicular ao eixo onde for omitida.</translation>
+    </message>
+    <message>
+        <source>Extruded by (x, y, z)</source>
+        <translation>Extrudada por (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Of a cone at v = 0, of a torus from its axis to the middle of its tube.</source>
+        <translation>De um cone em v = 0, de um toro do eixo ao meio do tubo.</translation>
+    </message>
+    <message>
+        <source>Radius of the tube</source>
+        <translation>Raio do tubo</translation>
+    </message>
+    <message>
+        <source>Half angle</source>
+        <translation>Semiângulo</translation>
+    </message>
+    <message>
+        <source>Between the axis of a cone and its sides; negative narrows it along the axis.</source>
+        <translation>Entre o eixo de um cone e seus lados; negativo o estreita ao longo do eixo.</translation>
+    </message>
+    <message>
+        <source>Range of u</source>
+        <translation>Intervalo de u</translation>
+    </message>
+    <message>
+        <source>From, to. Longitudes in degrees (all round where left out); of a plane and a graph lengths.</source>
+        <translation>De, até. Longitudes em graus (a volta toda onde for omitido); de um plano e de um gráfico, comprimentos.</translation>
+    </message>
+    <message>
+        <source>Range of v</source>
+        <translation>Intervalo de v</translation>
+    </message>
+    <message>
+        <source>From, to. Latitudes in degrees (pole to pole where left out), angles round the tube of a torus; else lengths, along the axis or, of a cone, along its side.</source>
+        <translation>De, até. Latitudes em graus (de polo a polo onde for omitido), ângulos em torno do tubo de um toro; senão comprimentos, ao longo do eixo ou, de um cone, ao longo do lado.</translation>
+    </message>
+    <message>
+        <source>Height z</source>
+        <translation>Altura z</translation>
+    </message>
+    <message>
+        <source>A formula of x and y.</source>
+        <translation>Uma fórmula de x e y.</translation>
+    </message>
+    <message>
+        <source>Both ways.</source>
+        <translation>Nos dois sentidos.</translation>
+    </message>
+    <message>
+        <source>Degree along u</source>
+        <translation>Grau ao longo de u</translation>
+    </message>
+    <message>
+        <source>Degree along v</source>
+        <translation>Grau ao longo de v</translation>
+    </message>
+    <message>
+        <source>Knots along u</source>
+        <translation>Nós ao longo de u</translation>
+    </message>
+    <message>
+        <source>Not decreasing, one for each row and degree + 1 more.</source>
+        <translation>Não decrescentes, um para cada linha e grau + 1 a mais.</translation>
+    </message>
+    <message>
+        <source>Knots along v</source>
+        <translation>Nós ao longo de v</translation>
+    </message>
+    <message>
+        <source>Not decreasing, one for each column and degree + 1 more.</source>
+        <translation>Não decrescentes, um para cada coluna e grau + 1 a mais.</translation>
+    </message>
+    <message>
+        <source>A grid, row after row: along v first, then along u.</source>
+        <translation>Uma grade, linha após linha: primeiro ao longo de v, depois de u.</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Linhas</translation>
+    </message>
+    <message>
+        <source>Of the grid, along u.</source>
+        <translation>Da grade, ao longo de u.</translation>
+    </message>
+    <message>
+        <source>Triangles face</source>
+        <translation>Triângulos voltados</translation>
+    </message>
+    <message>
+        <source>Along the normal Su x Sv of the surface, or against it.</source>
+        <translation>No sentido da normal Su x Sv da superfície, ou contra ela.</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>ruled</source>
+        <translation>regrada</translation>
+    </message>
+    <message>
+        <source>extruded</source>
+        <translation>extrudada</translation>
+    </message>
+    <message>
+        <source>revolved</source>
+        <translation>de revolução</translation>
+    </message>
+    <message>
+        <source>coons</source>
+        <translation>coons</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>esfera</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cilindro</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>cone</translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation>toro</translation>
+    </message>
+    <message>
+        <source>graph</source>
+        <translation>gráfico</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>por pontos</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>malha</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>ferramenta</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>no sentido</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>contra</translation>
+    </message>
+    <message>
+        <source>Of the set of its sides; a crack NAME has the lips NAME_left and NAME_right and the ends NAME_start and NAME_end.</source>
+        <translation>Do conjunto de seus lados; uma trinca NOME tem os lábios NOME_left e NOME_right e as pontas NOME_start e NOME_end.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superfície</translation>
+    </message>
+    <message>
+        <source>On which it lies; may be left out where one is meshed.</source>
+        <translation>Sobre a qual está; pode ser omitida onde uma só recebe malha.</translation>
+    </message>
+    <message>
+        <source>In the chart: line (a chain), polygon, circle, ellipse, arc (three points), spline, bezier (one of any degree). In space: where another surface or a plane cuts it.</source>
+        <translation>Na carta: linha (uma cadeia), polígono, circunferência, elipse, arco (três pontos), spline, bezier (uma de qualquer grau). No espaço: onde outra superfície ou um plano a corta.</translation>
+    </message>
+    <message>
+        <source>hole: what lies inside is taken away; outline: what lies outside; cut: divides, and parts say what stays; internal: sides of the mesh lie along it; interface: between two regions; crack: the mesh is opened along it.</source>
+        <translation>furo: o que está dentro é retirado; contorno: o que está fora; corte: divide, e as partes dizem o que fica; interna: lados da malha ficam ao longo dela; interface: entre duas regiões; trinca: a malha é aberta ao longo dela.</translation>
+    </message>
+    <message>
+        <source>Points (u, v)</source>
+        <translation>Pontos (u, v)</translation>
+    </message>
+    <message>
+        <source>Of the chart. An arc has three: first, one on the way, last.</source>
+        <translation>Da carta. Um arco tem três: o primeiro, um no caminho e o último.</translation>
+    </message>
+    <message>
+        <source>Centre (u, v)</source>
+        <translation>Centro (u, v)</translation>
+    </message>
+    <message>
+        <source>Of the chart.</source>
+        <translation>Da carta.</translation>
+    </message>
+    <message>
+        <source>In the numbers of the chart.</source>
+        <translation>Nos números da carta.</translation>
+    </message>
+    <message>
+        <source>Half axes</source>
+        <translation>Semieixos</translation>
+    </message>
+    <message>
+        <source>Two, in the numbers of the chart.</source>
+        <translation>Dois, nos números da carta.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotação</translation>
+    </message>
+    <message>
+        <source>Of the first half axis from u.</source>
+        <translation>Do primeiro semieixo a partir de u.</translation>
+    </message>
+    <message>
+        <source>Cut by</source>
+        <translation>Cortada por</translation>
+    </message>
+    <message>
+        <source>Name of the other surface.</source>
+        <translation>Nome da outra superfície.</translation>
+    </message>
+    <message>
+        <source>Point of the plane (x, y, z)</source>
+        <translation>Ponto do plano (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Normal of the plane</source>
+        <translation>Normal do plano</translation>
+    </message>
+    <message>
+        <source>Length of the element sides at both ends of a crack; 0: none of their own.</source>
+        <translation>Comprimento dos lados dos elementos nas duas pontas de uma trinca; 0: nenhum próprio.</translation>
+    </message>
+    <message>
+        <source>May be left out where one is meshed.</source>
+        <translation>Pode ser omitida onde uma só recebe malha.</translation>
+    </message>
+    <message>
+        <source>It</source>
+        <translation>Ela</translation>
+    </message>
+    <message>
+        <source>keep: once a part of a surface is kept, those that are not named are dropped.</source>
+        <translation>manter: desde que uma parte de uma superfície seja mantida, as que não são citadas são descartadas.</translation>
+    </message>
+    <message>
+        <source>Place (u, v)</source>
+        <translation>Lugar (u, v)</translation>
+    </message>
+    <message>
+        <source>Anywhere in the part, in the chart; or:</source>
+        <translation>Em qualquer lugar da parte, na carta; ou:</translation>
+    </message>
+    <message>
+        <source>Place (x, y, z)</source>
+        <translation>Lugar (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Anywhere in the part, in space; the nearest point counts.</source>
+        <translation>Em qualquer lugar da parte, no espaço; vale o ponto mais próximo.</translation>
+    </message>
+    <message>
+        <source>Name of its elements' region.</source>
+        <translation>Nome da região de seus elementos.</translation>
+    </message>
+    <message>
+        <source>In the chart; or:</source>
+        <translation>Na carta; ou:</translation>
+    </message>
+    <message>
+        <source>In space; the nearest point of the surface counts.</source>
+        <translation>No espaço; vale o ponto mais próximo da superfície.</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>elipse</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>superfície</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>contorno</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>corte</translation>
+    </message>
+    <message>
+        <source>interface</source>
+        <translation>interface</translation>
+    </message>
+    <message>
+        <source>crack</source>
+        <translation>trinca</translation>
+    </message>
+    <message>
+        <source>keep</source>
+        <translation>manter</translation>
+    </message>
+    <message>
+        <source>drop</source>
+        <translation>descartar</translation>
+    </message>
+    <message>
+        <source>Curves in space</source>
+        <translation>Curvas no espaço</translation>
+    </message>
+    <message>
+        <source>Borders and profiles of surfaces.</source>
+        <translation>Bordas e perfis de superfícies.</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Superfícies</translation>
+    </message>
+    <message>
+        <source>Meshed as shells; borders that coincide are one.</source>
+        <translation>Recebem malha como cascas; bordas que coincidem são uma só.</translation>
+    </message>
+    <message>
+        <source>Trims of surfaces</source>
+        <translation>Recortes de superfícies</translation>
+    </message>
+    <message>
+        <source>Holes, outlines, lines inside and cracks, drawn in the chart or cut by others.</source>
+        <translation>Furos, contornos, linhas internas e trincas, desenhados na carta ou cortados por outras.</translation>
+    </message>
+    <message>
+        <source>Parts of surfaces</source>
+        <translation>Partes de superfícies</translation>
+    </message>
+    <message>
+        <source>That trims divide: which stay, and their regions.</source>
+        <translation>Que os recortes dividem: quais ficam, e suas regiões.</translation>
+    </message>
+    <message>
+        <source>Points of surfaces</source>
+        <translation>Pontos de superfícies</translation>
+    </message>
+    <message>
+        <source>Nodes with a name.</source>
+        <translation>Nós com nome.</translation>
+    </message>
+    <message>
+        <source>A surface or a part with a name; empty: all that have no material of their own.</source>
+        <translation>Uma superfície ou uma parte com nome; vazio: todas as que não têm material próprio.</translation>
+    </message>
+    <message>
+        <source>The surface is its middle.</source>
+        <translation>A superfície é o seu meio.</translation>
+    </message>
+    <message>
+        <source>A set of sides or nodes: a trim, a point, a side of a chart NAME_left, NAME_right, NAME_bottom, NAME_top.</source>
+        <translation>Um conjunto de lados ou nós: um recorte, um ponto, um lado de uma carta NOME_left, NOME_right, NOME_bottom, NOME_top.</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>Ao longo de z</translation>
+    </message>
+    <message>
+        <source>About x</source>
+        <translation>Em torno de x</translation>
+    </message>
+    <message>
+        <source>Prescribed rotation; 0 holds, nothing leaves free.</source>
+        <translation>Rotação prescrita; 0 segura, nada deixa livre.</translation>
+    </message>
+    <message>
+        <source>About y</source>
+        <translation>Em torno de y</translation>
+    </message>
+    <message>
+        <source>About z</source>
+        <translation>Em torno de z</translation>
+    </message>
+    <message>
+        <source>A region (area, pressure, body; empty: all), a set of sides (edge), a set of nodes (force).</source>
+        <translation>Uma região (área, pressão, volume; vazio: todas), um conjunto de lados (aresta), um conjunto de nós (força).</translation>
+    </message>
+    <message>
+        <source>area: x, y, z on each unit of the surface; pressure: value, against the normal of the elements; body: x, y, z on each unit of volume, such as the weight; edge: x, y, z on each unit of length; force: x, y, z at each node.</source>
+        <translation>área: x, y, z em cada unidade da superfície; pressão: valor, contra a normal dos elementos; volume: x, y, z em cada unidade de volume, como o peso; aresta: x, y, z em cada unidade de comprimento; força: x, y, z em cada nó.</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>área</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>aresta</translation>
+    </message>
+    <message>
+        <source>That one element side on an arc may span; of a surface, that its normal may turn along a side.</source>
+        <translation>Que um lado de elemento sobre um arco pode abranger; de uma superfície, que a sua normal pode girar ao longo de um lado.</translation>
+    </message>
+    <message>
+        <source>Greatest distance from a surface</source>
+        <translation>Maior distância a uma superfície</translation>
+    </message>
+    <message>
+        <source>Of the elements' sides; 0 does not ask. Of surfaces in space only.</source>
+        <translation>Dos lados dos elementos; 0 não pede. Só de superfícies no espaço.</translation>
+    </message>
+    <message>
+        <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of [miranda2009surface] as it is written.</source>
+        <translation>O que coloca os nós internos: fileiras do contorno para dentro; um a um numa triangulação de Delaunay, mais lenta (só domínios planos); ou a frente de [miranda2009surface], como está escrita.</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Casca</translation>
+    </message>
+    <message>
+        <source>Thickness, materials, supports and loads of a mesh of surfaces: decks for other programs.</source>
+        <translation>Espessura, materiais, apoios e cargas de uma malha de superfícies: arquivos para outros programas.</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>u, by the length in the middle [m]</source>
+        <translation>u, pelo comprimento no meio [m]</translation>
+    </message>
+    <message>
+        <source>v, by the length in the middle [m]</source>
+        <translation>v, pelo comprimento no meio [m]</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>N/m</translation>
+    </message>
+    <message>
         <source>Picture in space</source>
         <translation>Figura no espaço</translation>
     </message>
@@ -5553,6 +6089,26 @@
     <message>
         <source>there is no picture in space; run a scenario that has one</source>
         <translation>não há figura no espaço; execute um cenário que tenha uma</translation>
+    </message>
+    <message>
+        <source>Of x and y: "0.1 + 0.05 * hypot(x, y)"; the least of all sizes counts. On surfaces of x, y, z and, where one is meshed, of the u and v of its chart.</source>
+        <translation>De x e y: "0.1 + 0.05 * hypot(x, y)"; vale o menor de todos os tamanhos. Em superfícies, de x, y, z e, onde uma só recebe malha, de u e v da sua carta.</translation>
+    </message>
+    <message>
+        <source>Most by which sizes may grow from one element to the next; 1.2 on surfaces where left out.</source>
+        <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; 1,2 em superfícies onde for omitido.</translation>
+    </message>
+    <message>
+        <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as it is written.</source>
+        <translation>O que coloca os nós internos: fileiras do contorno para dentro; um a um numa triangulação de Delaunay, mais lenta (só domínios planos); ou a frente do artigo sobre superfícies, como está escrita.</translation>
+    </message>
+    <message>
+        <source>Boundary model</source>
+        <translation>Modelo de fronteira</translation>
+    </message>
+    <message>
+        <source>Geometry as a drawing or as lines, a mesh whose boundary is meant, or faces of a boundary model.</source>
+        <translation>Geometria como desenho ou como linhas, uma malha cujo contorno é o que se quer, ou faces de um modelo de fronteira.</translation>
     </message>
 </context>
 </TS>

@@ -54,13 +54,15 @@ struct RenderOptions {
 };
 
 /// Draws all pictures asked for. Without --pictures, VTK's is left out with a note where there is no EGL.
+/// @param space  the same in space, if there is such a picture.
 base::Result<void> write_pictures(Session& session, const RunParams& own, const scene::Picture& picture,
-                                  const Staging& staging) {
+                                  const std::optional<scene::space::SpacePicture>& space, const Staging& staging) {
   DOBRA_TRY(const std::set<PictureKind> kinds, picture_kinds(own.pictures.value_or("svg,pdf,png,vtk")));
   for (const PictureKind kind : kinds) {
     DOBRA_TRY_VOID(session.check());
     const Drawer drawer = kind == PictureKind::Vtk ? Drawer::Vtk : Drawer::Cairo;
-    const auto drawn = draw(picture, staging.path(picture_file_name(kind)), drawer);
+    auto drawn = draw(picture, staging.path(picture_file_name(kind)), drawer);
+    if (drawn && space) drawn = draw(*space, staging.path(space_file_name(kind)), drawer);
     if (drawn) continue;
     if (kind != PictureKind::Vtk || own.pictures || drawn.error().code != ErrorCode::CannotDraw) return drawn.error();
     session.note(fmt::format("{} is left out: {}", picture_file_name(kind), drawn.error().message));
@@ -79,7 +81,9 @@ base::Result<void> write_results(Session& session, const RunParams& own, const s
     DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
     for (const std::string& loss : output.losses) session.note(loss);
   }
-  if (program.results.draw) DOBRA_TRY_VOID(write_pictures(session, own, picture_of(program, document, state), staging));
+  if (program.results.draw)
+    DOBRA_TRY_VOID(
+        write_pictures(session, own, picture_of(program, document, state), program.space_of(state), staging));
   return session.check();
 }
 

@@ -8,6 +8,7 @@
 
 #include "shared/base/text.h"
 #include "shared/render/cairo.h"
+#include "shared/render/space_file.h"
 #include "shared/render/vtk_offscreen.h"
 
 namespace dobra::cli {
@@ -81,6 +82,15 @@ base::Result<void> draw(const scene::Picture& picture, const std::filesystem::pa
   if (width) page = scene::suggested_page(picture, *width, render::cairo_text_measure());
   return drawer == Drawer::Cairo ? render::write_picture(picture, file, page)
                                  : render::write_png_vtk(picture, file, page);
+}
+
+base::Result<void> draw(const scene::space::SpacePicture& picture, const std::filesystem::path& file, Drawer drawer) {
+  DOBRA_TRY_VOID(check_ending(file, drawer));
+  return drawer == Drawer::Cairo ? render::write_picture(picture, file) : render::write_png_vtk(picture, file);
+}
+
+std::string space_file_name(PictureKind kind) {
+  return "space" + picture_file_name(kind).substr(std::string("picture").size());
 }
 
 }  // namespace dobra::cli

@@ -10,6 +10,7 @@
 #include "shared/scenario/document.h"
 #include "shared/scenario/program.h"
 #include "shared/scene/layer.h"
+#include "shared/scene/space/picture.h"
 
 namespace dobra::cli {
 
@@ -33,6 +34,11 @@ scene::Picture picture_of(const scenario::Program& program, const scenario::Docu
 /// @error BadUsage for an ending that the drawer cannot write; CannotDraw (VTK: no EGL); CannotWrite.
 base::Result<void> draw(const scene::Picture& picture, const std::filesystem::path& file, Drawer drawer,
                         std::optional<double> width = std::nullopt);
+
+/// A picture in space, from its usual side. @error as draw
+base::Result<void> draw(const scene::space::SpacePicture& picture, const std::filesystem::path& file, Drawer drawer);
+/// space.svg, space.pdf, space.png, space_vtk.png: beside picture.svg and so on, where a state has a picture in space.
+std::string space_file_name(PictureKind kind);
 
 /// ".svg, .pdf or .png", for help and errors. @param last  the word before the last one
 std::string picture_endings(const char* last = "or");

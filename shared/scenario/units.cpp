@@ -134,7 +134,7 @@ std::string factor_text(const Ratio& ratio) {
 /// f(x, y) of coordinates and with a value in `units` as one of coordinates and with a value in SI. What cannot be read
 /// stays as it is, for the one who reads it to tell.
 std::string formula_in_si(const std::string& text, std::string_view si, const UnitSystem& units) {
-  static const std::vector<std::string> names{"x", "y", "nx", "ny"};
+  static const std::vector<std::string> names{"x", "y", "z", "u", "v", "nx", "ny"};
   if (text.empty() || !base::Formula::make(text, names)) return text;
   const std::string coordinate = factor_text(units.in_si("m").inverse());
   std::string made;
@@ -151,7 +151,7 @@ std::string formula_in_si(const std::string& text, std::string_view si, const Un
       end = i + 1;
     }
     const std::string word = text.substr(i, end - i);
-    made += word == "x" || word == "y" ? "(" + word + coordinate + ")" : word;
+    made += word == "x" || word == "y" || word == "z" ? "(" + word + coordinate + ")" : word;
     i = end;
   }
   return "(" + made + ")" + factor_text(units.in_si(si));

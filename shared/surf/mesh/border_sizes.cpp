@@ -75,7 +75,9 @@ Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions&
     const double s = i == count ? piece.s1 : i == 0 ? piece.s0 : std::lerp(piece.s0, piece.s1, part);
     profile.s.push_back(s);
     profile.travelled.push_back(space.travelled(s) - from);
-    profile.size.push_back(std::max(std::min(largest, allowed_by_bend(space, s, sizes)), sizes.least));
+    profile.size.push_back(
+        std::max(std::min({largest, allowed_by_bend(space, s, sizes), sizes.wanted_at(space.place(s), space.at(s))}),
+                 sizes.least));
   }
   return profile;
 }

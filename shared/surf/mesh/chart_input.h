@@ -2,6 +2,8 @@
 // What a mesher of one face is given: its surface, and points and edges in its chart that stand already. What comes
 // back is a mesh::TriangleMesh in the chart, whose first points are the ones given.
 
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "shared/mesh/delaunay/mesh_input.h"
@@ -29,6 +31,13 @@ struct SizeOptions {
   double growth = 1.2;   ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double narrow = 1.0;   ///< Elements across narrow places; 0: sides as long as elsewhere.
   double least = 0.0;    ///< No size below, m; 0: none.
+  /// Size wanted at a place of the chart and in space, m; where it is no positive number it asks for nothing.
+  std::function<double(geom::Point uv, geom::Point3 at)> wanted = {};
+
+  [[nodiscard]] double wanted_at(geom::Point uv, geom::Point3 at) const {
+    const double size = wanted ? wanted(uv, at) : 0.0;
+    return size > 0.0 ? size : std::numeric_limits<double>::infinity();
+  }
 };
 
 }  // namespace dobra::surf::mesh

@@ -52,7 +52,9 @@ class Builder {
   [[nodiscard]] Sample sample(Point p) const {
     const Jet jet = chart_.jet(p);
     const Metric m = metric(jet);
-    const double size = std::max(options_.least, std::min(largest_, size_by_shape(jet, options_)));
+    const double size =
+        std::max(options_.least,
+                 std::min({largest_, size_by_shape(jet, options_), options_.wanted_at(chart_.unscaled(p), jet.at)}));
     return {size, std::sqrt(m.e), std::sqrt(m.g), m.area()};
   }
   /// Whether a cell must be seen more closely than by its corners.
@@ -185,7 +187,8 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     const Jet jet = chart.jet(places[i]);
     at[i] = jet.at;
     metrics[i] = metric(jet);
-    field.ask(i, std::max(options.least, size_by_shape(jet, options)));
+    field.ask(i, std::max(options.least,
+                          std::min(size_by_shape(jet, options), options.wanted_at(chart.unscaled(places[i]), jet.at))));
   }
   const auto ask = [&](Point p, double size) {
     for (const std::uint32_t corner : field.corners(field.quadtree().leaf_at(p))) field.ask(corner, size);

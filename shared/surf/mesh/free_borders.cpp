@@ -2,268 +2,301 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <vector>
+#include <map>
+#include <optional>
+#include <set>
 
-#include "shared/base/check.h"
+#include "shared/geom/predicates.h"
 #include "shared/surf/closest.h"
-#include "shared/surf/measure.h"
-
-// 1. Nodes within some rings of the artificial borders, and the triangles round them. What stands in another set is
-//    fixed. 2. Rounds: sides are flipped while the least angle grows; then each node is moved towards the mean of its
-//    neighbours, on the surface, if its star gets better.
-// The measure of a star is its least alpha and a tenth of its mean one.
 
 namespace dobra::surf::mesh {
 
-using base::Progress;
-using base::Result;
 using geom::Point;
 using geom::Point3;
 using geom::Vector3;
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
-
-std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
-}
-
 double alpha(Point3 a, Point3 b, Point3 c) {
-  const double sum = dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c);
-  return sum > 0.0 ? 2.0 * std::numbers::sqrt3 * length(cross(b - a, c - a)) / sum : 0.0;
+  const double sides = dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c);
+  return sides > 0.0 ? 2.0 * std::sqrt(3.0) * geom::length(cross(b - a, c - a)) / sides : 0.0;
 }
 
-double least_angle(Point3 a, Point3 b, Point3 c) {
-  const auto at = [](Point3 p, Point3 q, Point3 r) {
-    return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
-  };
-  return std::min({at(a, b, c), at(b, c, a), at(c, a, b)});
-}
+/// A triangle and which of its corners or sides is meant.
+struct Corner {
+  std::size_t triangle = 0;
+  std::size_t at = 0;
+};
 
 class Freeing {
  public:
-  Freeing(SurfaceMesh& mesh, std::span<const Surface> surfaces, const FreeBorderOptions& options)
-      : mesh_(mesh), surfaces_(surfaces), options_(options) {}
+  Freeing(SurfaceMesh& mesh, std::span<const trim::TrimmedSurface> surfaces, std::span<const std::size_t> owner,
+          const std::string& set, const FreeBorderOptions& options)
+      : mesh_(mesh), surfaces_(surfaces), owner_(owner), options_(options) {
+    const auto found = mesh_.constraint_sets.find(set);
+    if (found == mesh_.constraint_sets.end()) return;
+    freed_ = found->second;
+    mesh_.constraint_sets.erase(found);
+    corners_.resize(mesh_.points.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) corners_[mesh_.triangles[t][i].index()].push_back({t, i});
+    }
+    fix();
+    choose();
+  }
 
-  Result<std::size_t> run(const std::set<std::string>& artificial, const Progress& progress);
+  std::size_t run() {
+    std::size_t kept = 0;
+    for (int pass = 0; pass < options_.passes && !nodes_.empty(); ++pass) {
+      std::size_t now = 0;
+      for (const std::size_t node : nodes_) now += flip_round(node);
+      for (const std::size_t node : nodes_) now += move(node) ? 1U : 0U;
+      kept += now;
+      if (now == 0) break;
+    }
+    return kept;
+  }
 
  private:
-  void find_region(const std::set<std::string>& artificial);
-  void fix_sets();
-  [[nodiscard]] std::uint32_t corner(std::uint32_t t, std::size_t i) const {
-    return static_cast<std::uint32_t>(mesh_.triangles[t][i].index());
-  }
-  [[nodiscard]] Point3 at(std::uint32_t node) const { return mesh_.points[node]; }
-  [[nodiscard]] std::size_t index_in(std::uint32_t t, std::uint32_t node) const {
-    return corner(t, 0) == node ? 0 : corner(t, 1) == node ? 1 : 2;
-  }
-  [[nodiscard]] bool looks_outwards(const std::array<Point3, 3>& points, const std::array<Point, 3>& places,
-                                    std::uint32_t face) const;
-  /// The two triangles of the side a-b that its star holds; none where it has one or more than two.
-  [[nodiscard]] std::array<std::uint32_t, 2> triangles_of(std::uint32_t a, std::uint32_t b) const;
-  bool flip(std::uint32_t a, std::uint32_t b);
-  std::size_t flip_all();
-  bool move(std::uint32_t node);
+  using Side = std::pair<std::size_t, std::size_t>;
+  static Side side_of(NodeId a, NodeId b) { return std::minmax(a.index(), b.index()); }
 
-  SurfaceMesh& mesh_;
-  std::span<const Surface> surfaces_;
-  const FreeBorderOptions& options_;
-  std::vector<std::vector<std::uint32_t>> star_;  ///< Triangles round a node of the region; empty elsewhere.
-  std::vector<std::uint8_t> ring_;                ///< 0: not near; k + 1: k sides from an artificial border.
-  std::vector<std::uint8_t> fixed_;
-  std::vector<std::uint64_t> kept_;   ///< Sides of sets, sorted.
-  std::vector<std::uint32_t> nodes_;  ///< Of the region, ascending.
-  std::vector<double> turn_;          ///< One a face: +1 where triangles look along the surface's normal, -1 against.
-};
-
-void Freeing::fix_sets() {
-  const auto keep = [&](const std::vector<Edge>& edges) {
-    for (const Edge& edge : edges) {
-      for (const NodeId node : edge) fixed_[node.index()] = 1;
-      kept_.push_back(key_of(static_cast<std::uint32_t>(edge[0].index()), static_cast<std::uint32_t>(edge[1].index())));
+  void fix() {
+    fixed_.assign(mesh_.points.size(), 0);
+    const auto fix_sets = [&](const auto& sets) {
+      for (const auto& [name, edges] : sets) {
+        for (const Edge& edge : edges) {
+          kept_sides_.insert(side_of(edge[0], edge[1]));
+          for (const NodeId node : edge) fixed_[node.index()] = 1;
+        }
+      }
+    };
+    fix_sets(mesh_.boundary_sets);
+    fix_sets(mesh_.constraint_sets);
+    for (const auto& [name, nodes] : mesh_.node_sets) {
+      for (const NodeId node : nodes) fixed_[node.index()] = 1;
     }
-  };
-  for (const auto& [name, edges] : mesh_.boundary_sets) keep(edges);
-  for (const auto& [name, edges] : mesh_.constraint_sets) keep(edges);
-  for (const auto& [name, nodes] : mesh_.node_sets)
-    for (const NodeId node : nodes) fixed_[node.index()] = 1;
-  std::sort(kept_.begin(), kept_.end());
-}
-
-/// Rings grow over the triangles, one pass a ring. Stars are made for the nodes of the region and one ring more.
-void Freeing::find_region(const std::set<std::string>& artificial) {
-  ring_.assign(mesh_.points.size(), 0);
-  for (const std::string& name : artificial) {
-    const auto set = mesh_.boundary_sets.find(name);
-    if (set == mesh_.boundary_sets.end()) continue;
-    for (const Edge& edge : set->second)
-      for (const NodeId node : edge) ring_[node.index()] = 1;
-    mesh_.boundary_sets.erase(set);
-  }
-  const auto last = static_cast<std::uint8_t>(std::clamp(options_.rings, 0, 200) + 2);
-  for (std::uint8_t ring = 1; ring < last; ++ring) {
+    std::map<Side, std::size_t> uses;
     for (const Corners& corners : mesh_.triangles) {
-      const auto in = [&](NodeId node) { return ring_[node.index()] == ring; };
-      if (!in(corners[0]) && !in(corners[1]) && !in(corners[2])) continue;
-      for (const NodeId node : corners)
-        if (ring_[node.index()] == 0) ring_[node.index()] = static_cast<std::uint8_t>(ring + 1);
+      for (std::size_t i = 0; i < 3; ++i) ++uses[side_of(corners[i], corners[(i + 1) % 3])];
+    }
+    for (const auto& [side, count] : uses) {
+      if (count == 1) fixed_[side.first] = fixed_[side.second] = 1;
     }
   }
-  star_.assign(mesh_.points.size(), {});
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (ring_[corner(t, i)] != 0) star_[corner(t, i)].push_back(t);
-  for (std::uint32_t node = 0; node < ring_.size(); ++node)
-    if (ring_[node] != 0 && ring_[node] < last) nodes_.push_back(node);
-}
 
-bool Freeing::looks_outwards(const std::array<Point3, 3>& points, const std::array<Point, 3>& places,
-                             std::uint32_t face) const {
-  const Vector3 area = turn_[face] * cross(points[1] - points[0], points[2] - points[0]);
-  return std::all_of(places.begin(), places.end(), [&](Point place) {
-    const auto out = normal(surfaces_[face], place);
-    return !out || dot(area, *out) > 0.0;
-  });
-}
-
-std::array<std::uint32_t, 2> Freeing::triangles_of(std::uint32_t a, std::uint32_t b) const {
-  std::array<std::uint32_t, 2> found{none, none};
-  std::size_t count = 0;
-  for (const std::uint32_t t : star_[a]) {
-    if (corner(t, 0) != b && corner(t, 1) != b && corner(t, 2) != b) continue;
-    if (count == 2) return {none, none};
-    found[count++] = t;
-  }
-  if (count < 2) return {none, none};
-  return found;
-}
-
-/// Sides a-b of the triangles a, b, c and b, a, d becomes c-d if the least of the six angles grows.
-bool Freeing::flip(std::uint32_t a, std::uint32_t b) {
-  auto [first, second] = triangles_of(a, b);
-  if (first == none || mesh_.faces[first] != mesh_.faces[second] || mesh_.regions[first] != mesh_.regions[second])
-    return false;
-  if (std::binary_search(kept_.begin(), kept_.end(), key_of(a, b))) return false;
-  if (corner(first, (index_in(first, a) + 1) % 3) != b) std::swap(first, second);
-  const std::size_t i = index_in(first, a);
-  const std::size_t j = index_in(second, b);
-  if (corner(first, (i + 1) % 3) != b || corner(second, (j + 1) % 3) != a) return false;
-  const std::uint32_t c = corner(first, (i + 2) % 3);
-  const std::uint32_t d = corner(second, (j + 2) % 3);
-  if (c == d || star_[c].empty() || star_[d].empty() || triangles_of(c, d)[0] != none) return false;
-  const bool joined = std::any_of(star_[c].begin(), star_[c].end(), [&](std::uint32_t t) {
-    return corner(t, 0) == d || corner(t, 1) == d || corner(t, 2) == d;
-  });
-  if (joined) return false;
-  const double before = std::min(least_angle(at(a), at(b), at(c)), least_angle(at(b), at(a), at(d)));
-  const double after = std::min(least_angle(at(a), at(d), at(c)), least_angle(at(d), at(b), at(c)));
-  if (after < before + options_.gain) return false;
-  const auto& one = mesh_.places[first];
-  const auto& two = mesh_.places[second];
-  const Point at_c = one[(i + 2) % 3];
-  const Point at_d = two[(j + 2) % 3];
-  const std::uint32_t face = mesh_.faces[first];
-  const std::array<Point, 3> left{one[i], at_d, at_c};
-  const std::array<Point, 3> right{at_d, one[(i + 1) % 3], at_c};
-  if (!looks_outwards({at(a), at(d), at(c)}, left, face) || !looks_outwards({at(d), at(b), at(c)}, right, face))
-    return false;
-  mesh_.triangles[first] = {NodeId(a), NodeId(d), NodeId(c)};
-  mesh_.triangles[second] = {NodeId(d), NodeId(b), NodeId(c)};
-  mesh_.places[first] = left;
-  mesh_.places[second] = right;
-  std::erase(star_[b], first);
-  std::erase(star_[a], second);
-  star_[d].push_back(first);
-  star_[c].push_back(second);
-  return true;
-}
-
-std::size_t Freeing::flip_all() {
-  std::size_t flips = 0;
-  for (const std::uint32_t a : nodes_) {
-    const std::vector<std::uint32_t> star = star_[a];
-    for (const std::uint32_t t : star) {
-      const std::size_t i = index_in(t, a);
-      const std::uint32_t b = corner(t, (i + 1) % 3);
-      if (corner(t, i) == a && !star_[b].empty() && flip(a, b)) ++flips;
+  void choose() {
+    std::set<std::size_t> near;
+    for (const Edge& edge : freed_) near.insert({edge[0].index(), edge[1].index()});
+    for (int ring = 0; ring < options_.rings; ++ring) {
+      std::set<std::size_t> next = near;
+      for (const std::size_t node : near) {
+        for (const Corner& corner : corners_[node]) {
+          for (const NodeId other : mesh_.triangles[corner.triangle]) next.insert(other.index());
+        }
+      }
+      near = std::move(next);
+    }
+    for (const std::size_t node : near) {
+      if (fixed_[node] == 0 && one_face(node)) nodes_.push_back(node);
     }
   }
-  return flips;
-}
-
-bool Freeing::move(std::uint32_t node) {
-  const std::vector<std::uint32_t>& star = star_[node];
-  if (star.empty()) return false;
-  const std::uint32_t face = mesh_.faces[star.front()];
-  if (std::any_of(star.begin(), star.end(), [&](std::uint32_t t) { return mesh_.faces[t] != face; })) return false;
-  const auto measure = [&](Point3 place) {
-    double least = 1.0;
-    double sum = 0.0;
-    for (const std::uint32_t t : star) {
-      const std::size_t i = index_in(t, node);
-      const double a = alpha(place, at(corner(t, (i + 1) % 3)), at(corner(t, (i + 2) % 3)));
-      least = std::min(least, a);
-      sum += a;
-    }
-    return least + 0.1 * sum / static_cast<double>(star.size());
-  };
-  const double before = measure(at(node));
-  Vector3 mean{};
-  for (const std::uint32_t t : star) mean = mean + (at(corner(t, (index_in(t, node) + 1) % 3)) - at(node));
-  mean = mean / static_cast<double>(star.size());
-  const Point near = mesh_.places[star.front()][index_in(star.front(), node)];
-  for (double phi = 1.0; phi > 0.2; phi *= 0.5) {
-    const Foot foot = closest(surfaces_[face], at(node) + phi * mean, near);
-    if (measure(foot.at) < before + options_.gain) continue;
-    const bool sound = std::all_of(star.begin(), star.end(), [&](std::uint32_t t) {
-      const std::size_t i = index_in(t, node);
-      const std::array<Point3, 3> points{foot.at, at(corner(t, (i + 1) % 3)), at(corner(t, (i + 2) % 3))};
-      const auto& places = mesh_.places[t];
-      return looks_outwards(points, {foot.uv, places[(i + 1) % 3], places[(i + 2) % 3]}, face);
+  [[nodiscard]] bool one_face(std::size_t node) const {
+    const auto& around = corners_[node];
+    return !around.empty() && std::all_of(around.begin(), around.end(), [&](const Corner& c) {
+      return owner_[mesh_.faces[c.triangle]] == owner_[mesh_.faces[around[0].triangle]] &&
+             mesh_.regions[c.triangle] == mesh_.regions[around[0].triangle];
     });
-    if (!sound) continue;
-    mesh_.points[node] = foot.at;
-    for (const std::uint32_t t : star) mesh_.places[t][index_in(t, node)] = foot.uv;
+  }
+
+  [[nodiscard]] Point3 at(std::size_t triangle, std::size_t corner) const {
+    return mesh_.point(mesh_.triangles[triangle][corner % 3]);
+  }
+  /// Whether a triangle runs as those of its face do in their chart.
+  [[nodiscard]] bool upright(std::size_t chart, const std::array<Point, 3>& places) const {
+    const auto wanted = surfaces_[chart].reversed ? geom::Sign::Negative : geom::Sign::Positive;
+    return geom::orient2d(places[0], places[1], places[2]) == wanted;
+  }
+
+  // --- moves
+
+  /// The mean of where each triangle around would be equilateral.
+  [[nodiscard]] Point3 ideal(std::size_t node) const {
+    Vector3 sum{};
+    const Point3 here = mesh_.points[node];
+    for (const Corner& c : corners_[node]) {
+      const Point3 a = at(c.triangle, c.at + 1), b = at(c.triangle, c.at + 2);
+      const Vector3 base = b - a;
+      const Point3 middle = a + 0.5 * base;
+      const Vector3 up = (here - middle) - (dot(here - middle, base) / dot(base, base)) * base;
+      const double high = geom::length(up);
+      const Point3 apex = high > 0.0 ? middle + (0.5 * std::sqrt(3.0) * geom::length(base) / high) * up : here;
+      sum = sum + (apex - here);
+    }
+    return here + sum / static_cast<double>(corners_[node].size());
+  }
+
+  struct Moved {
+    Point3 at;
+    std::vector<Point> places;  ///< One a corner of the node.
+  };
+  /// The node by a step of the chart of its first triangle.
+  [[nodiscard]] std::optional<Moved> moved(std::size_t node, geom::Vector step) const {
+    const auto& around = corners_[node];
+    const auto place = [&](const Corner& c) { return mesh_.places[c.triangle][c.at]; };
+    const std::size_t chart = mesh_.faces[around[0].triangle];
+    const Surface& surface = surfaces_[chart].surface;
+    const geom::Box& box = surface.chart();
+    // One of its places in this chart must stay there: the surface is asked nowhere else.
+    std::optional<Point> inside;
+    for (const Corner& c : around) {
+      const Point to = place(c) + step;
+      if (mesh_.faces[c.triangle] == chart && to.x >= box.low.x && to.x <= box.high.x && to.y >= box.low.y &&
+          to.y <= box.high.y)
+        inside = to;
+    }
+    if (!inside) return std::nullopt;
+    Moved moved{surface.at(*inside), {}};
+    for (const Corner& c : around) {
+      const std::size_t own = mesh_.faces[c.triangle];
+      moved.places.push_back(own == chart ? place(c) + step : closest(surfaces_[own].surface, moved.at, place(c)).uv);
+    }
+    return moved;
+  }
+
+  /// The least alpha around, and the sum; nothing if a triangle would be turned in its chart.
+  struct Worth {
+    double least = 2.0, sum = 0.0;
+  };
+  [[nodiscard]] std::optional<Worth> worth(std::size_t node, const Moved& moved) const {
+    Worth worth;
+    for (std::size_t k = 0; k < corners_[node].size(); ++k) {
+      const Corner& c = corners_[node][k];
+      std::array<Point, 3> places = mesh_.places[c.triangle];
+      places[c.at] = moved.places[k];
+      if (!upright(mesh_.faces[c.triangle], places)) return std::nullopt;
+      const Point3 a = at(c.triangle, c.at + 1), b = at(c.triangle, c.at + 2);
+      // Nor may it turn over in space.
+      if (dot(cross(a - moved.at, b - moved.at), cross(a - mesh_.points[node], b - mesh_.points[node])) <= 0.0)
+        return std::nullopt;
+      const double own = alpha(moved.at, a, b);
+      worth.least = std::min(worth.least, own);
+      worth.sum += own;
+    }
+    return worth;
+  }
+
+  bool move(std::size_t node) {
+    const auto& around = corners_[node];
+    Moved now{mesh_.points[node], {}};
+    for (const Corner& c : around) now.places.push_back(mesh_.places[c.triangle][c.at]);
+    const auto before = worth(node, now);
+    if (!before) return false;  // A pole, or the end of what a chart tells.
+    const Jet jet = surfaces_[mesh_.faces[around[0].triangle]].surface.jet(now.places[0]);
+    const Vector3 way = ideal(node) - now.at;
+    const double e = dot(jet.u, jet.u), f = dot(jet.u, jet.v), g = dot(jet.v, jet.v), determinant = e * g - f * f;
+    if (!(determinant > 1e-12 * e * g)) return false;
+    const double p = dot(way, jet.u), q = dot(way, jet.v);
+    const geom::Vector step{(g * p - f * q) / determinant, (e * q - f * p) / determinant};
+    for (const double part : {1.0, 0.5, 0.25}) {
+      const auto to = moved(node, part * step);
+      if (!to) continue;
+      const auto after = worth(node, *to);
+      const double count = static_cast<double>(around.size());
+      if (!after) continue;
+      const bool better = after->least > before->least + options_.gain ||
+                          (after->least >= before->least && after->sum > before->sum + options_.gain * count);
+      if (!better) continue;
+      mesh_.points[node] = to->at;
+      for (std::size_t k = 0; k < around.size(); ++k) mesh_.places[around[k].triangle][around[k].at] = to->places[k];
+      return true;
+    }
+    return false;
+  }
+
+  // --- flips
+
+  std::size_t flip_round(std::size_t node) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < corners_[node].size(); ++k) {
+      const Corner c = corners_[node][k];
+      if (flip(c.triangle, c.at)) ++kept, k = 0;
+    }
+    return kept;
+  }
+
+  [[nodiscard]] std::optional<Corner> across(std::size_t triangle, std::size_t side) const {
+    const NodeId from = mesh_.triangles[triangle][side], to = mesh_.triangles[triangle][(side + 1) % 3];
+    for (const Corner& c : corners_[to.index()]) {
+      if (c.triangle != triangle && mesh_.triangles[c.triangle][(c.at + 1) % 3] == from) return c;
+    }
+    return std::nullopt;
+  }
+
+  /// The side from corner `side` of a triangle to the next one becomes the other diagonal.
+  bool flip(std::size_t first, std::size_t side) {
+    const auto other = across(first, side);
+    if (!other || mesh_.faces[other->triangle] != mesh_.faces[first] ||
+        mesh_.regions[other->triangle] != mesh_.regions[first])
+      return false;
+    const std::size_t second = other->triangle, chart = mesh_.faces[first];
+    const NodeId a = mesh_.triangles[first][side], b = mesh_.triangles[first][(side + 1) % 3];
+    const NodeId c = mesh_.triangles[first][(side + 2) % 3], d = mesh_.triangles[second][(other->at + 2) % 3];
+    if (c == d || kept_sides_.contains(side_of(a, b)) || joined(c, d)) return false;
+    const Point pa = mesh_.places[first][side], pb = mesh_.places[first][(side + 1) % 3],
+                pc = mesh_.places[first][(side + 2) % 3];
+    // The other triangle may be on the far side of the seam.
+    const geom::Vector shift = pb - mesh_.places[second][other->at];
+    const geom::Vector same = pa - mesh_.places[second][(other->at + 1) % 3];
+    const geom::Box& box = surfaces_[chart].surface.chart();
+    if (std::abs(shift.x - same.x) > 1e-9 * box.width() || std::abs(shift.y - same.y) > 1e-9 * box.height())
+      return false;
+    const Point pd = mesh_.places[second][(other->at + 2) % 3] + shift;
+    const std::array<Point, 3> one{pa, pd, pc}, two{pd, pb, pc};
+    if (!upright(chart, one) || !upright(chart, two)) return false;
+    const Point3 qa = mesh_.point(a), qb = mesh_.point(b), qc = mesh_.point(c), qd = mesh_.point(d);
+    const double before = std::min(alpha(qa, qb, qc), alpha(qb, qa, qd));
+    const double after = std::min(alpha(qa, qd, qc), alpha(qd, qb, qc));
+    const Vector3 normal = cross(qb - qa, qc - qa) + cross(qa - qb, qd - qb);
+    if (!(after > before + options_.gain) || dot(cross(qd - qa, qc - qa), normal) <= 0.0 ||
+        dot(cross(qb - qd, qc - qd), normal) <= 0.0)
+      return false;
+    forget(first), forget(second);
+    mesh_.triangles[first] = {a, d, c}, mesh_.places[first] = one;
+    mesh_.triangles[second] = {d, b, c}, mesh_.places[second] = two;
+    remember(first), remember(second);
     return true;
   }
-  return false;
-}
+  [[nodiscard]] bool joined(NodeId c, NodeId d) const {
+    return std::any_of(corners_[c.index()].begin(), corners_[c.index()].end(), [&](const Corner& corner) {
+      const Corners& all = mesh_.triangles[corner.triangle];
+      return all[0] == d || all[1] == d || all[2] == d;
+    });
+  }
+  void forget(std::size_t triangle) {
+    for (const NodeId node : mesh_.triangles[triangle])
+      std::erase_if(corners_[node.index()], [&](const Corner& c) { return c.triangle == triangle; });
+  }
+  void remember(std::size_t triangle) {
+    for (std::size_t i = 0; i < 3; ++i) corners_[mesh_.triangles[triangle][i].index()].push_back({triangle, i});
+  }
 
-Result<std::size_t> Freeing::run(const std::set<std::string>& artificial, const Progress& progress) {
-  fixed_.assign(mesh_.points.size(), 0);
-  find_region(artificial);
-  if (nodes_.empty()) return std::size_t{0};
-  fix_sets();
-  turn_.assign(surfaces_.size(), 0.0);
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    double& turn = turn_[mesh_.faces[t]];
-    if (turn != 0.0) continue;
-    const auto out = normal(surfaces_[mesh_.faces[t]], mesh_.places[t][0]);
-    if (!out) continue;
-    const Point3 a = at(corner(t, 0));
-    turn = std::copysign(1.0, dot(*out, cross(at(corner(t, 1)) - a, at(corner(t, 2)) - a)));
-  }
-  std::size_t changes = 0;
-  for (int round = 0; round < options_.rounds; ++round) {
-    DOBRA_TRY_VOID(progress.check());
-    progress.report(static_cast<double>(round) / options_.rounds, "seams");
-    std::size_t now = flip_all();
-    for (const std::uint32_t node : nodes_)
-      if (fixed_[node] == 0 && move(node)) ++now;
-    changes += now;
-    if (now == 0) break;
-  }
-  return changes;
-}
+  SurfaceMesh& mesh_;
+  std::span<const trim::TrimmedSurface> surfaces_;
+  std::span<const std::size_t> owner_;
+  FreeBorderOptions options_;
+  std::vector<Edge> freed_;
+  std::vector<std::vector<Corner>> corners_;  ///< One a node.
+  std::vector<std::uint8_t> fixed_;
+  std::set<Side> kept_sides_;
+  std::vector<std::size_t> nodes_;  ///< That may move, ascending.
+};
 
 }  // namespace
 
-Result<std::size_t> free_borders(SurfaceMesh& mesh, std::span<const Surface> surfaces,
-                                 const std::set<std::string>& artificial, const FreeBorderOptions& options,
-                                 const Progress& progress) {
-  return Freeing(mesh, surfaces, options).run(artificial, progress);
+std::size_t free_borders(SurfaceMesh& mesh, std::span<const trim::TrimmedSurface> surfaces,
+                         std::span<const std::size_t> owner, const std::string& set, const FreeBorderOptions& options) {
+  return Freeing(mesh, surfaces, owner, set, options).run();
 }
 
 }  // namespace dobra::surf::mesh

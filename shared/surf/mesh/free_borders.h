@@ -1,33 +1,29 @@
 #pragma once
-// Takes borders out of a mesh that only the charts needed: the seam of a closed surface, the cut between two poles.
-// Sides across them are flipped and nodes on them and near them are moved, so that nothing shows where they were. Page:
-// docs/algorithms/free_borders.md. Source: [miranda2009surface] for smoothing on the surface.
+// Borders that only cut a surface (seams of closed ones, lines between two charts of one face) are where the division
+// put them; here their nodes are freed: they move where the triangles around are better, and sides of them are flipped,
+// so that no seam is seen in the mesh. Page: docs/algorithms/surface_border.md.
 
-#include <set>
 #include <span>
+#include <string>
 
-#include "shared/base/progress.h"
-#include "shared/base/result.h"
 #include "shared/surf/mesh/surface_mesh.h"
-#include "shared/surf/surface.h"
+#include "shared/surf/trim/trimmed_surface.h"
 
 namespace dobra::surf::mesh {
 
 struct FreeBorderOptions {
-  int rounds = 6;      ///< Of flips and moves.
-  int rings = 3;       ///< Nodes up to so many sides from an artificial border may move.
-  double gain = 1e-3;  ///< A flip makes the least of six angles larger by this, radians; a move the measure of a star.
+  int passes = 4;      ///< Over all nodes concerned.
+  int rings = 2;       ///< Nodes so many sides away move too.
+  double gain = 1e-3;  ///< Least gain in the worst alpha around, of a move or a flip.
 };
 
-/// The sets `artificial` of `mesh.boundary_sets`, whose sides stand twice, once in each direction, are no border any
-/// more: the sets go, and the mesh around them is improved. Nodes of other sets stay where they are, and sides of other
-/// sets are not flipped. Every triangle looks to the side of its surface's normal at its corners before and after.
-/// @param surfaces  one a face of the mesh, with the chart that `places` are in. A node that has moved over a seam has
-///                  the places of that side: the corners of one triangle may then lie on both sides of the chart.
-/// @return how many moves and flips were made.  @error Cancelled
-/// @cost   O(n) for n triangles to find the neighbours, and a closest point for each move.
-base::Result<std::size_t> free_borders(SurfaceMesh& mesh, std::span<const Surface> surfaces,
-                                       const std::set<std::string>& artificial, const FreeBorderOptions& options = {},
-                                       const base::Progress& progress = {});
+/// Frees the sides of `set` among the constraints, and takes the set away. Nodes of the border, of other sets and of
+/// several faces stay; so does a node at a pole. Places go on beyond a closed chart's end where a node has passed it.
+/// @param surfaces  the charts of the mesh, in the order of its faces.
+/// @param owner     one a chart: charts of one number are of one face.
+/// @return how many moves and flips were kept.  @cost O(sides of the set), a few surface points each
+std::size_t free_borders(SurfaceMesh& mesh, std::span<const trim::TrimmedSurface> surfaces,
+                         std::span<const std::size_t> owner, const std::string& set,
+                         const FreeBorderOptions& options = {});
 
 }  // namespace dobra::surf::mesh

@@ -1,0 +1,140 @@
+// `quebra mesh` on surfaces: what its JSON says, where it refuses too, and that the stand-ins are scenarios.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "quebra/cli/mesh_command.h"
+#include "quebra/core/operations.h"
+#include "tests/support/command_line.h"
+
+namespace quebra::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+constexpr double pi = std::numbers::pi;
+
+const std::string head = "dobra = 1\nprogram = \"quebra\"\n";
+const std::string plate = head + "[[input.surface]]\nname = \"plate\"\nkind = \"plane\"\nu = [0, 10]\nv = [0, 10]\n";
+
+class SurfaceCommand : public dobra::test::CommandLine {
+ protected:
+  SurfaceCommand() : CommandLine(core::program(), {mesh_command()}) {}
+
+  [[nodiscard]] json told(const std::vector<std::string>& args, int code = 0) const {
+    const auto outcome = call(args);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    return json::parse(outcome.out, nullptr, false);
+  }
+};
+
+TEST_F(SurfaceCommand, TellsCountsAreasQualityAndFindings) {
+  const std::string file = put("plate.toml", plate +
+                                                 "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"
+                                                 "centre = [5, 5]\nradius = 2\n");
+  for (const std::string engine : {"front", "paper"}) {
+    const json json =
+        told({"mesh", file, "--size", "0.5", "--turn", "15", "--engine", engine, "--out", path("m.vtu"), "--json"});
+    for (const char* const key :
+         {"elements", "nodes", "area", "area_surface", "alpha_mean", "alpha_90", "alpha_min", "findings"})
+      ASSERT_TRUE(json.contains(key)) << key;
+    EXPECT_NEAR(json["area_surface"].get<double>(), 100 - 4 * pi, 1e-6);
+    EXPECT_NEAR(json["area"].get<double>(), 100 - 4 * pi, 0.3);
+    EXPECT_GT(json["alpha_mean"].get<double>(), 0.9);
+    EXPECT_TRUE(json["findings"].is_array());
+    // One hole: NE = 2 NN - B - 2 + 2 h, B from the counts of Euler's formula.
+    EXPECT_GT(json["elements"].get<double>(), json["nodes"].get<double>());
+  }
+  EXPECT_THAT(text("m.vtu"), HasSubstr("side_set hole"));
+}
+
+TEST_F(SurfaceCommand, RefusalsEndWithTheirCodeAndStillPrintFindings) {
+  const std::string bad = put("bad.toml", plate +
+                                              "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"
+                                              "centre = [9, 5]\nradius = 2\n");
+  const json json = told({"mesh", bad, "--json"}, 3);
+  ASSERT_EQ(json["findings"].size(), 1U);
+  const auto& finding = json["findings"][0];
+  EXPECT_THAT(finding["message"].get<std::string>(), HasSubstr("leaves the chart"));
+  EXPECT_EQ(finding["code"], "bad_domain");
+  EXPECT_EQ(finding["place"]["line"], 8);
+  EXPECT_NEAR(finding["place"]["uv"][0].get<double>(), 10.0, 1.1);
+  const nlohmann::json delaunay = told({"mesh", put("good.toml", plate), "--engine", "delaunay", "--json"}, 3);
+  EXPECT_THAT(delaunay["findings"][0]["message"].get<std::string>(), HasSubstr("front"));
+  EXPECT_EQ(delaunay["findings"][0]["code"], "not_supported");
+  const nlohmann::json missing = told({"mesh", path("no.brep"), "--json"}, 3);
+  EXPECT_EQ(missing["findings"][0]["code"], "file_not_found");
+}
+
+TEST_F(SurfaceCommand, SizesTooSmallForMemoryAreRefused) {
+  const auto outcome = call({"mesh", put("good.toml", plate), "--size", "1e-9", "--json"});
+  EXPECT_TRUE(outcome.code == 3 || outcome.code == 4) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("findings"));
+}
+
+TEST_F(SurfaceCommand, CoordinatesAreThoseOfTheUnits) {
+  const json json = told(
+      {"mesh",
+       put("mm.toml", "dobra = 1\nprogram = \"quebra\"\nunit_system = \"mm, N, MPa\"\n" + plate.substr(head.size())),
+       "--size", "3", "--out", path("m.obj"), "--json"});
+  EXPECT_NEAR(json["area"].get<double>(), 100.0, 1e-9);
+  EXPECT_THAT(text("m.obj"), HasSubstr("v 10 10 0"));
+}
+
+TEST_F(SurfaceCommand, FormatsOfPlaneMeshesAreRefused) {
+  const auto outcome = call({"mesh", put("good.toml", plate), "--out", path("m.nf")});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("meshes of surfaces are written to files that end in"));
+}
+
+TEST_F(SurfaceCommand, SizesMayBeAFormulaOfSpaceAndOfTheChart) {
+  const std::string file = put("good.toml", plate);
+  const auto by = [&](const std::string& formula) {
+    return told({"mesh", file, "--size", "2", "--size-formula", formula, "--json"})["elements"].get<double>();
+  };
+  EXPECT_NEAR(by("0.5 + 0 * z"), by("0.5 + 0 * u"), 1.0);
+  EXPECT_GT(by("0.3 + 0.1 * x"), 3.0 * by("2"));
+  EXPECT_GT(by("0.3 + 0.1 * u"), 3.0 * by("2"));
+}
+
+TEST_F(SurfaceCommand, TheMesherOfThePaperTakesPlaneDomainsToo) {
+  const std::string file = put("plane.toml", head +
+                                                 "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
+                                                 "points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n"
+                                                 "[[input.curve]]\nname = \"hole\"\nkind = \"polygon\"\n"
+                                                 "points = [[1, 1], [3, 1], [3, 2], [1, 2]]\n");
+  const json json = told({"mesh", file, "--size", "0.4", "--engine", "paper", "--json"});
+  EXPECT_NEAR(json["area"].get<double>(), 14.0, 1e-9);
+  EXPECT_GT(json["alpha_mean"].get<double>(), 0.85);
+  const auto outcome = call({"mesh", file, "--size", "0.4", "--engine", "paper", "--stop-after", "5"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("stop_after"));
+}
+
+class StandIns : public SurfaceCommand, public testing::WithParamInterface<const char*> {};
+
+TEST_P(StandIns, SUR_f_AreMeshedByBothEngines) {
+  const std::string file =
+      (std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/examples/surfaces" / (std::string(GetParam()) + ".toml"))
+          .string();
+  for (const std::string engine : {"front", "paper"}) {
+    // Coarser than the example, for the time that it takes.
+    const json json = told({"mesh", file, "--size", "1.5", "--turn", "15", "--engine", engine, "--json"});
+    ASSERT_TRUE(json.contains("area")) << engine;
+    EXPECT_NEAR(json["area"].get<double>(), json["area_surface"].get<double>(),
+                0.02 * json["area_surface"].get<double>())
+        << engine;
+    EXPECT_GE(json["alpha_mean"].get<double>(), engine == "front" ? 0.95 : 0.88) << engine;
+    EXPECT_GE(json["alpha_min"].get<double>(), engine == "front" ? 0.4 : 0.1) << engine;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Surfaces, StandIns,
+                         testing::Values("6", "7a", "7b", "7c", "7d", "7e", "7f", "8a", "8b", "8c", "8d", "8e", "8f"),
+                         [](const auto& info) { return "of_figure_" + std::string(info.param); });
+
+}  // namespace
+}  // namespace quebra::cli
