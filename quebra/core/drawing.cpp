@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "quebra/core/curve_entries.h"
+#include "shared/base/short_number.h"
 #include "shared/base/text.h"
 #include "shared/scenario/entries.h"
 

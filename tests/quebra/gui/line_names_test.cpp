@@ -53,15 +53,16 @@ TEST(LineNames, ACrackIsCalledByItsOwnName) {
   EXPECT_EQ(all, (QStringList{"inner one", "left one", "plate"})) << all.join("|").toStdString();
 }
 
-constexpr const char* open_outline =
-    "dobra = 1\nprogram = \"quebra\"\n\n[input]\n\n[[input.curve]]\nname = \"a\"\nkind = \"line\"\n"
-    "points = [[0.0, 0.0], [8.0, 0.0], [8.0, 6.0], [0.0, 6.0], [0.0, 0.05]]\n";
+constexpr const char* twice =
+    "dobra = 1\nprogram = \"quebra\"\n\n[input]\n\n[[input.curve]]\nname = \"a\"\nkind = \"polygon\"\n"
+    "points = [[0.0, 0.0], [8.0, 0.0], [8.0, 6.0]]\n\n[[input.curve]]\nname = \"b\"\nkind = \"polygon\"\n"
+    "points = [[0.0, 0.0], [8.0, 0.0], [8.0, 6.0]]\n";
 
 /// Of the option of the command line, the key and the table only the title of the field is left.
 TEST(ErrorsOfTheInput, CallOptionsByTheTitlesOfTheirFields) {
   const auto said = [] {
     test::ProgramWindow window("quebra/plate_with_hole.toml");
-    window.open(window.write("open.toml", open_outline));
+    window.open(window.write("twice.toml", twice));
     return window->error_bar().message();
   };
   const QString english = said();
@@ -72,7 +73,8 @@ TEST(ErrorsOfTheInput, CallOptionsByTheTitlesOfTheirFields) {
   const QString brazilian = said();
   EXPECT_TRUE(brazilian.contains("'Reparo' = \"yes\"")) << brazilian.toStdString();
   EXPECT_FALSE(brazilian.contains("--")) << brazilian.toStdString();
-  EXPECT_FALSE(brazilian.contains("gaps")) << brazilian.toStdString();
+  EXPECT_TRUE(brazilian.contains("as curvas 'a' e 'b' são idênticas")) << brazilian.toStdString();
+  EXPECT_FALSE(brazilian.contains("leaves")) << brazilian.toStdString();
 }
 
 TEST(LineNames, TheSecondCoordinateIsY) {

@@ -68,8 +68,8 @@ TEST(UntidyText, TheKindIsReadUnderEitherOfItsHeaders) {
         "horizonte;x;z;" + header + "\nA;0;1;horizonte\nA;2;1;horizonte\nF;1;0;falha\nF;1;3;falha\n", "f.csv", {});
     ASSERT_TRUE(read.ok()) << header << ": " << base::to_string(read.error());
     ASSERT_EQ(read->features.size(), 2u) << header;
-    EXPECT_EQ(read->features[0].kind, "horizonte") << header;
-    EXPECT_EQ(read->features[1].kind, "falha") << header;
+    EXPECT_EQ(read->features[0].kind, "horizon") << header;
+    EXPECT_EQ(read->features[1].kind, "fault") << header;
   }
   const auto other = parse_any_lines("horizonte;x;z;tipos\nA;0;1;falha\nA;2;1;falha\n", "f.csv", {});
   ASSERT_TRUE(other.ok());
