@@ -1,52 +1,12 @@
 #include "shared/solid/boolean.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "shared/solid/assemble.h"
+#include "shared/solid/gathering.h"
 
 namespace dobra::solid {
 namespace {
-
-/// All operands in one space, with one list of names.
-class Gathering {
- public:
-  explicit Gathering(std::span<const Solid> operands) {
-    for (std::uint32_t o = 0; o < operands.size(); ++o) add(operands[o].boundary(), o);
-  }
-  Soup soup;
-  std::vector<std::string> names;
-  std::vector<BoxTree> trees;
-
- private:
-  void add(const Boundary& boundary, std::uint32_t operand) {
-    const Soup& own = boundary.soup;
-    std::vector<PointId> points(own.space.point_count());
-    for (std::size_t p = 0; p < points.size(); ++p) points[p] = soup.space.add(own.space, PointId(p));
-    std::vector<PlaneId> planes(own.space.plane_count());
-    for (std::size_t q = 0; q < planes.size(); ++q) planes[q] = soup.space.add(own.space.plane(PlaneId(q)));
-    const auto first = static_cast<std::uint32_t>(soup.facets.size());
-    for (const Facet& facet : own.facets) {
-      soup.begin(planes[facet.plane.index()], operand, name_number(boundary.names[facet.name]));
-      for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
-        soup.begin_loop();
-        for (std::uint32_t i = own.loop_starts[l]; i < own.loop_end(facet, l); ++i) {
-          const PlaneId across = own.across[i];
-          soup.add_corner(points[own.corners[i].index()], across.valid() ? planes[across.index()] : PlaneId());
-        }
-      }
-    }
-    soup.inner.push_back(own.inner.empty() ? Inner::Trusted : own.inner[0]);
-    trees.emplace_back(soup, first, static_cast<std::uint32_t>(soup.facets.size()));
-  }
-
-  std::uint32_t name_number(const std::string& name) {
-    const auto [at, fresh] = numbers_.try_emplace(name, static_cast<std::uint32_t>(names.size()));
-    if (fresh) names.push_back(name);
-    return at->second;
-  }
-  std::unordered_map<std::string, std::uint32_t> numbers_;
-};
 
 bool two_operands(const Soup& soup, std::span<const Cover> covers, std::uint32_t& only) {
   for (const Cover& cover : covers) {

@@ -27,7 +27,9 @@ TEST(Boolean, SOL_i_HoldsForTwoBoxesThatOverlapInACorner) {
 
 TEST(Boolean, SOL_j_RegularisesAndTellsTheContact) {
   const Solid a = box_solid({0, 0, 0}, {2, 2, 2});
-  const auto meet = [&](Point3 low, Point3 high) { return combined({a, box_solid(low, high)}, Operation::Intersection); };
+  const auto meet = [&](Point3 low, Point3 high) {
+    return combined({a, box_solid(low, high)}, Operation::Intersection);
+  };
   EXPECT_EQ(meet({2, 0, 0}, {4, 2, 2}).contact, Contact::Face);
   EXPECT_EQ(meet({2, 1, 0}, {4, 3, 2}).contact, Contact::Face);
   EXPECT_EQ(meet({2, 2, 0}, {4, 4, 2}).contact, Contact::Edge);
@@ -44,7 +46,8 @@ TEST(Boolean, SOL_j_DoublesTheEdgeInWhichTwoBoxesTouch) {
   const Solid both = unite({box_solid({0, 0, 0}, {1, 1, 1}), box_solid({1, 1, 0}, {2, 2, 1})});
   EXPECT_EQ(both.counts(), (Counts{16, 24, 12, 0, 2, 0}));
   // Two arms of an L shape that come together again in an edge: one shell, the edge still twice.
-  const Solid l = unite({box_solid({0, 0, 0}, {2, 1, 1}), box_solid({0, 0, 0}, {1, 1, 2}), box_solid({1, 0, 1}, {2, 1, 2})});
+  const Solid l =
+      unite({box_solid({0, 0, 0}, {2, 1, 1}), box_solid({0, 0, 0}, {1, 1, 2}), box_solid({1, 0, 1}, {2, 1, 2})});
   EXPECT_EQ(volume(l), 4.0);
   const Solid ring = unite({box_solid({0, 0, 0}, {3, 1, 1}), box_solid({0, 0, 0}, {1, 3, 1}),
                             box_solid({1, 2, 0}, {2, 3, 1}), box_solid({2, 1, 0}, {3, 2, 1})});
@@ -54,7 +57,8 @@ TEST(Boolean, SOL_j_DoublesTheEdgeInWhichTwoBoxesTouch) {
 }
 
 TEST(Boolean, MakesOneFaceOfCoplanarNeighbours) {
-  const Solid row = unite({box_solid({0, 0, 0}, {1, 1, 1}), box_solid({1, 0, 0}, {2, 1, 1}), box_solid({2, 0, 0}, {3, 1, 1})});
+  const Solid row =
+      unite({box_solid({0, 0, 0}, {1, 1, 1}), box_solid({1, 0, 0}, {2, 1, 1}), box_solid({2, 0, 0}, {3, 1, 1})});
   EXPECT_EQ(row.counts(), (Counts{8, 12, 6, 0, 1, 0}));
   const Solid named = unite({solid(box({0, 0, 0}, {1, 1, 1}), "sand"), solid(box({1, 0, 0}, {2, 1, 1}), "clay")});
   EXPECT_EQ(named.counts(), (Counts{12, 20, 10, 0, 1, 0}));
@@ -73,7 +77,8 @@ TEST(Boolean, TellsHandlesRingsAndCavities) {
 }
 
 TEST(Boolean, SOL_c_HasTheNumbersOfABlockWithAThroughAndABlindHole) {
-  const Solid s = subtract({box_solid({0, 0, 0}, {6, 3, 3}), box_solid({1, 1, -1}, {2, 2, 4}), box_solid({4, 1, 1}, {5, 2, 3})});
+  const Solid s =
+      subtract({box_solid({0, 0, 0}, {6, 3, 3}), box_solid({1, 1, -1}, {2, 2, 4}), box_solid({4, 1, 1}, {5, 2, 3})});
   EXPECT_EQ(s.counts(), (Counts{24, 36, 15, 3, 1, 1}));
 }
 

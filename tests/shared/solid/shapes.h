@@ -110,7 +110,8 @@ inline PolygonMesh rotated(PolygonMesh mesh, geom::Vector3 axis, double angle) {
   const geom::Vector3 n = normalised(axis);
   for (Point3& p : mesh.points) {
     const geom::Vector3 v = p - Point3{};
-    const geom::Vector3 w = std::cos(angle) * v + std::sin(angle) * cross(n, v) + (1.0 - std::cos(angle)) * dot(n, v) * n;
+    const geom::Vector3 w =
+        std::cos(angle) * v + std::sin(angle) * cross(n, v) + (1.0 - std::cos(angle)) * dot(n, v) * n;
     p = Point3{} + w;
   }
   return mesh;
