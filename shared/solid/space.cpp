@@ -160,6 +160,10 @@ Projection Space::projection(PlaneId q) const {
 Sign Space::side(PlaneId q, PointId p) const {
   const KeptPlane& plane = planes_[q.index()];
   const Point3 at = rounded_[p.index()];
+  if (!plane.given.constant && is_exact(p)) {
+    const auto& through = plane.given.through;
+    if (at == through[0] || at == through[1] || at == through[2]) return Sign::Zero;
+  }
   const Vector3 r = plane.given.constant ? at - Point3{} : at - plane.given.through[0];
   const Vector3 n = plane.normal;
   const double value = dot(n, r) + plane.given.constant.value_or(0.0);

@@ -136,6 +136,31 @@ inline Solid unite(const std::vector<Solid>& operands) { return combined(operand
 inline Solid common(const std::vector<Solid>& operands) { return combined(operands, Operation::Intersection).solid; }
 inline Solid subtract(const std::vector<Solid>& operands) { return combined(operands, Operation::Difference).solid; }
 
+/// The cube of side 27 and the square bars that are to be taken from it, so that a Menger sponge of depth n remains.
+inline std::vector<Solid> menger_operands(int depth) {
+  std::vector<Solid> operands{box_solid({0, 0, 0}, {27, 27, 27})};
+  double cell = 27.0;
+  for (int level = 0; level < depth; ++level) {
+    const double width = cell / 3.0;
+    const int count = static_cast<int>(std::lround(27.0 / cell));
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j) {
+        // Bars that lie in a wider one are left out.
+        bool covered = false;
+        for (int k = i, l = j; k > 0 || l > 0; k /= 3, l /= 3) covered = covered || (k % 3 == 1 && l % 3 == 1);
+        if (covered) continue;
+        const double u = i * cell + width;
+        const double v = j * cell + width;
+        operands.push_back(box_solid({-1, u, v}, {28, u + width, v + width}));
+        operands.push_back(box_solid({u, -1, v}, {u + width, 28, v + width}));
+        operands.push_back(box_solid({u, v, -1}, {u + width, v + width, 28}));
+      }
+    }
+    cell = width;
+  }
+  return operands;
+}
+
 /// The relation of Euler and Poincare, written once more.
 inline bool euler_holds(const Counts& c) {
   return static_cast<long>(c.vertices + c.faces) - static_cast<long>(c.edges) ==
