@@ -189,7 +189,7 @@ void stops_along(Soup& soup, std::uint32_t facet, PlaneId other, const std::vect
     below = below != events[i].below;
     above = above != events[i].above;
     if (i + 1 < events.size() && events[i + 1].point == events[i].point) continue;
-    stops.push_back({events[i].point, below || above});
+    stops.push_back({events[i].point, below || above, below});
   }
 }
 

@@ -36,6 +36,7 @@ Contacts contacts(Soup& soup, const std::vector<BoxTree>& trees);
 struct Stop {
   PointId point;
   bool holds;  ///< The facet holds the way to the next stop.
+  bool below;  ///< It holds the way just below the other plane.
 };
 
 /// The stops of a facet on the line of its plane and another, ascending along the axis.
