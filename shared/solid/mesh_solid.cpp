@@ -43,7 +43,7 @@ std::optional<std::array<PointId, 3>> spread(const Space& space, const std::vect
 
 class Reader {
  public:
-  Reader(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) : mesh_(mesh), options_(options) {}
+  Reader(const FaceLoops& mesh, const FromMeshOptions& options) : mesh_(mesh), options_(options) {}
 
   base::Result<Solid> run() {
     DOBRA_TRY_VOID(check_corners());
@@ -73,33 +73,43 @@ class Reader {
       }
     }
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      for (const std::uint32_t corner : mesh_.faces[f]) {
-        if (corner >= mesh_.points.size()) {
-          return Error{ErrorCode::BadFormat, fmt::format("face {} names point {}, which does not exist", f, corner)};
+      for (const auto& loop : mesh_.faces[f]) {
+        for (const std::uint32_t corner : loop) {
+          if (corner >= mesh_.points.size()) {
+            return Error{ErrorCode::BadFormat, fmt::format("face {} names point {}, which does not exist", f, corner)};
+          }
         }
       }
     }
     return {};
   }
 
+  using Loops = std::vector<std::vector<PointId>>;
+
   base::Result<void> add_face(std::uint32_t f) {
-    std::vector<PointId> loop;
-    for (const std::uint32_t corner : mesh_.faces[f]) {
-      const PointId p = soup_.space.add(mesh_.points[corner]);
-      if (loop.empty() || loop.back() != p) loop.push_back(p);
+    Loops loops;
+    for (const auto& corners : mesh_.faces[f]) {
+      std::vector<PointId> loop;
+      for (const std::uint32_t corner : corners) {
+        const PointId p = soup_.space.add(mesh_.points[corner]);
+        if (loop.empty() || loop.back() != p) loop.push_back(p);
+      }
+      while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+      if (loop.size() >= 3) loops.push_back(std::move(loop));
     }
-    while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
-    if (loop.size() < 3) return {};
-    if (loop.size() == 3) {
-      if (!soup_.space.collinear(loop[0], loop[1], loop[2])) add_facet(f, loop, {loop[0], loop[1], loop[2]});
+    if (loops.empty()) return {};
+    const std::vector<PointId>& outer = loops[0];
+    if (loops.size() == 1 && outer.size() == 3) {
+      if (!soup_.space.collinear(outer[0], outer[1], outer[2])) add_facet(f, loops, {outer[0], outer[1], outer[2]});
       return {};
     }
-    const auto corners = spread(soup_.space, loop);
+    const auto corners = spread(soup_.space, outer);
     if (!corners) return {};
     const PlaneId plane = add_plane(*corners);
-    const bool flat =
-        std::all_of(loop.begin(), loop.end(), [&](PointId p) { return soup_.space.side(plane, p) == Sign::Zero; });
-    return flat ? add_flat(f, loop, *corners, plane) : add_warped(f, loop);
+    const bool flat = std::all_of(loops.begin(), loops.end(), [&](const std::vector<PointId>& loop) {
+      return std::all_of(loop.begin(), loop.end(), [&](PointId p) { return soup_.space.side(plane, p) == Sign::Zero; });
+    });
+    return flat ? add_flat(f, loops, *corners, plane) : add_warped(f, loops);
   }
 
   PlaneId add_plane(const std::array<PointId, 3>& corners) {
@@ -107,39 +117,48 @@ class Reader {
         Plane{{soup_.space.rounded(corners[0]), soup_.space.rounded(corners[1]), soup_.space.rounded(corners[2])}, {}});
   }
 
-  void add_facet(std::uint32_t f, const std::vector<PointId>& loop, const std::array<PointId, 3>& corners) {
-    begin(f, add_plane(corners));
-    for (const PointId p : loop) soup_.add_corner(p, PlaneId());
-  }
-  void begin(std::uint32_t f, PlaneId plane) {
-    soup_.begin(plane, 0, name_number(options_.face_names.empty() ? options_.name : options_.face_names[f]));
-    soup_.begin_loop();
+  void add_facet(std::uint32_t f, const Loops& loops, const std::array<PointId, 3>& corners) {
+    soup_.begin(add_plane(corners), 0,
+                name_number(options_.face_names.empty() ? options_.name : options_.face_names[f]));
     face_.push_back(f);
+    for (const auto& loop : loops) {
+      soup_.begin_loop();
+      for (const PointId p : loop) soup_.add_corner(p, PlaneId());
+    }
   }
 
-  base::Result<void> add_flat(std::uint32_t f, const std::vector<PointId>& loop, std::array<PointId, 3> corners,
-                              PlaneId plane) {
+  base::Result<void> add_flat(std::uint32_t f, Loops& loops, std::array<PointId, 3> corners, PlaneId plane) {
     const Projection onto = soup_.space.projection(plane);
-    if (!is_simple(soup_.space, onto, loop)) return crossing_error(f, loop);
-    if (!runs_left(soup_.space, onto, loop)) std::swap(corners[1], corners[2]);
-    add_facet(f, loop, corners);
+    if (!bound_a_face(soup_.space, onto, loops)) return crossing_error(f, loops[0]);
+    const bool left = runs_left(soup_.space, onto, loops[0]);
+    if (!left) std::swap(corners[1], corners[2]);
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      if (runs_left(soup_.space, onto, loops[l]) == left) std::reverse(loops[l].begin(), loops[l].end());
+    }
+    add_facet(f, loops, corners);
     return {};
   }
 
-  base::Result<void> add_warped(std::uint32_t f, const std::vector<PointId>& loop) {
+  base::Result<void> add_warped(std::uint32_t f, Loops& loops) {
     std::vector<Point3> points;
-    for (const PointId p : loop) points.push_back(soup_.space.rounded(p));
+    for (const PointId p : loops[0]) points.push_back(soup_.space.rounded(p));
     const Point3 n = mesh::newell_area(points);
     const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
     const auto axis = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
     const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
     Projection onto{(axis + 1) % 3, (axis + 2) % 3};
     if (along < 0.0) std::swap(onto.u, onto.v);
-    if (!is_simple(soup_.space, onto, loop) || !runs_left(soup_.space, onto, loop)) return crossing_error(f, loop);
-    const std::vector<std::vector<PointId>> loops{loop};
+    if (!bound_a_face(soup_.space, onto, loops) || !runs_left(soup_.space, onto, loops[0])) {
+      return crossing_error(f, loops[0]);
+    }
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      if (runs_left(soup_.space, onto, loops[l])) std::reverse(loops[l].begin(), loops[l].end());
+    }
     const auto triangles = triangulate(soup_.space, onto, loops);
-    if (!triangles) return crossing_error(f, loop);
-    for (const auto& t : *triangles) add_facet(f, {t[0], t[1], t[2]}, t);
+    if (!triangles) return crossing_error(f, loops[0]);
+    for (const auto& t : *triangles) {
+      if (!soup_.space.collinear(t[0], t[1], t[2])) add_facet(f, {{t[0], t[1], t[2]}}, t);
+    }
     return {};
   }
 
@@ -207,7 +226,7 @@ class Reader {
     return at->second;
   }
 
-  const mesh::PolygonMesh& mesh_;
+  const FaceLoops& mesh_;
   const FromMeshOptions& options_;
   Soup soup_;
   std::vector<std::uint32_t> face_;  // of each facet, the face of the mesh
@@ -239,8 +258,15 @@ std::vector<std::vector<PointId>> sorted_loops(const Soup& soup, const Facet& fa
 
 }  // namespace
 
-base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
+base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options) {
   return Reader(mesh, options).run();
+}
+
+base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
+  FaceLoops loops{mesh.points, {}};
+  loops.faces.reserve(mesh.faces.size());
+  for (const auto& face : mesh.faces) loops.faces.push_back({face});
+  return from_loops(loops, options);
 }
 
 base::Result<ToMesh> to_mesh(const Solid& solid) {

@@ -26,6 +26,14 @@ struct FromMeshOptions {
 /// @cost  O(n log n + pairs of faces whose boxes overlap)
 base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options = {});
 
+/// Faces with holes: loops of corners, the first anticlockwise seen from outside; the others are its holes, either way.
+struct FaceLoops {
+  std::vector<geom::Point3> points;
+  std::vector<std::vector<std::vector<std::uint32_t>>> faces;
+};
+/// The same for them.
+base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options = {});
+
 struct ToMesh {
   mesh::PolygonMesh mesh;
   std::vector<std::string> names;  ///< Of each face.

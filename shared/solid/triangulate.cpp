@@ -176,19 +176,18 @@ class Clipper {
 
 }  // namespace
 
-bool is_simple(const Space& space, Projection onto, std::span<const PointId> loop) {
+namespace {
+
+/// No two edges of all loops meet except in their ends.
+bool edges_apart(const Space& space, Projection onto, const std::vector<std::pair<PointId, PointId>>& edges) {
   struct Side {
     double low, high;
     std::size_t at;
   };
-  const std::size_t count = loop.size();
-  std::vector<PointId> sorted(loop.begin(), loop.end());
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
-  std::vector<Side> sides(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double u = space.coordinate(loop[i], onto.u);
-    const double w = space.coordinate(loop[(i + 1) % count], onto.u);
+  std::vector<Side> sides(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const double u = space.coordinate(edges[i].first, onto.u);
+    const double w = space.coordinate(edges[i].second, onto.u);
     sides[i] = {std::min(u, w), std::max(u, w), i};
   }
   std::sort(sides.begin(), sides.end(),
@@ -196,12 +195,62 @@ bool is_simple(const Space& space, Projection onto, std::span<const PointId> loo
   std::vector<Side> open;
   for (const Side& side : sides) {
     std::erase_if(open, [&](const Side& other) { return other.high < side.low; });
+    const auto& [a, b] = edges[side.at];
     for (const Side& other : open) {
-      if (meet(space, onto, loop[side.at], loop[(side.at + 1) % count], loop[other.at], loop[(other.at + 1) % count])) {
-        return false;
-      }
+      if (meet(space, onto, a, b, edges[other.at].first, edges[other.at].second)) return false;
     }
     open.push_back(side);
+  }
+  return true;
+}
+
+void add_edges(std::span<const PointId> loop, std::vector<std::pair<PointId, PointId>>& edges) {
+  for (std::size_t i = 0; i < loop.size(); ++i) edges.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
+}
+
+bool repeats_a_corner(std::span<const PointId> loop) {
+  std::vector<PointId> sorted(loop.begin(), loop.end());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+/// Some corner of the inner loop is within the outer one; loops that share all corners are not.
+bool lies_within(const Space& space, Projection onto, std::span<const PointId> inner, std::span<const PointId> outer) {
+  for (const PointId p : inner) {
+    if (std::find(outer.begin(), outer.end(), p) != outer.end()) continue;
+    bool inside = false;
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      const PointId a = outer[i];
+      const PointId b = outer[(i + 1) % outer.size()];
+      const bool above_a = space.compare(onto.v, a, p) == std::strong_ordering::greater;
+      const bool above_b = space.compare(onto.v, b, p) == std::strong_ordering::greater;
+      if (above_a != above_b && (space.orient(onto, a, b, p) == Sign::Positive) == above_b) inside = !inside;
+    }
+    return inside;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_simple(const Space& space, Projection onto, std::span<const PointId> loop) {
+  std::vector<std::pair<PointId, PointId>> edges;
+  add_edges(loop, edges);
+  return !repeats_a_corner(loop) && edges_apart(space, onto, edges);
+}
+
+bool bound_a_face(const Space& space, Projection onto, std::span<const std::vector<PointId>> loops) {
+  std::vector<std::pair<PointId, PointId>> edges;
+  for (const auto& loop : loops) {
+    if (repeats_a_corner(loop)) return false;
+    add_edges(loop, edges);
+  }
+  if (!edges_apart(space, onto, edges)) return false;
+  for (std::size_t i = 1; i < loops.size(); ++i) {
+    if (!lies_within(space, onto, loops[i], loops[0])) return false;
+    for (std::size_t j = 1; j < loops.size(); ++j) {
+      if (i != j && lies_within(space, onto, loops[i], loops[j])) return false;
+    }
   }
   return true;
 }
