@@ -215,7 +215,7 @@ class Reader {
                           face_[covers[1].facet]),
               place_at(at)};
     }
-    const char* what = inverted ? "face {} is turned inside out: the part that it bounds is outside of nothing"
+    const char* what = inverted ? "face {} is turned inside out, and so is the part that it bounds: turn its faces over"
                                 : "face {} bounds a part that lies within another part: unite them, or turn it over";
     return {ErrorCode::SelfIntersection, fmt::format(fmt::runtime(what), face_[covers[0].facet]), place_at(at)};
   }

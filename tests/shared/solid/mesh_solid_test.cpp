@@ -142,15 +142,26 @@ TEST(ToMesh, TellsHowFarRoundingMovedVertices) {
   EXPECT_EQ(out.names.size(), out.mesh.faces.size());
 }
 
-TEST(ToMesh, SaysThatRoundingSpoiledTheMesh) {
-  // A sliver thinner than the distance of doubles out there: its corners fall together or change sides.
-  const double far = 0x1p30;
-  const Solid wedge = solid(tetrahedron({far, 0, 0}, {far + 1, 0, 0}, {far, 1, 0}, {far, 0, 1}));
-  const Solid thin =
-      common({wedge, solid(tetrahedron({far, 0, 0x1p-24}, {far + 1, 0, 0}, {far + 0.25, 1, 0x1p-25}, {far, 0, 1}))});
-  const ToMesh out = to_mesh(thin).value();
-  const auto back = from_mesh(out.mesh);
-  EXPECT_EQ(out.flaw.has_value(), !back.ok());
+TEST(ToMesh, SaysWhereRoundingSpoiledTheMesh) {
+  // Two parts of a ball with a gap between them that is thinner than the distance of doubles at one end.
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> real(-1.0, 1.0);
+  const Solid ball = solid(sphere({0, 0, 0}, 1.0, 6, 9));
+  int spoiled = 0;
+  for (int i = 0; i < 12; ++i) {
+    const CutPlane lower{real(random), real(random), real(random), 0.3 * real(random)};
+    CutPlane upper = lower;
+    upper.a += 0x1p-53;
+    upper.b -= 0x1p-53;
+    const Solid parts = unite({halve(ball, lower).value().below, halve(ball, upper).value().above});
+    EXPECT_THAT(violations(parts), testing::IsEmpty());
+    const ToMesh out = to_mesh(parts).value();
+    if (!out.flaw) continue;
+    ++spoiled;
+    EXPECT_EQ(out.flaw->code, ErrorCode::SelfIntersection) << out.flaw->message;
+    EXPECT_TRUE(out.flaw->place);
+  }
+  EXPECT_GT(spoiled, 0);
 }
 
 TEST(ToMesh, HasOneTriangulationForRandomFacesWithHoles) {
