@@ -32,6 +32,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/offset",
        {"shared/offset/monotone", "shared/offset/general", "shared/offset/verifier", "shared/offset/stepper"}},
       {"shared/mesh", {"shared/topo"}},
+      {"shared/solid", {"shared/topo", "shared/mesh"}},
       {"shared/mesh/delaunay", {"shared/mesh"}},
       {"shared/mesh/sizing", {"shared/mesh/delaunay"}},
       {"shared/mesh/front", {"shared/mesh/sizing"}},

@@ -56,6 +56,8 @@ enum class ErrorCode : int {
   CannotRestore = 1001,
   // quebra
   BadDomain = 1100,
+  // solid
+  NotClosed = 1200,
 };
 
 /// Where in the user's material the trouble is. Every part is optional.

@@ -1,0 +1,324 @@
+#include "shared/solid/mesh_solid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "shared/solid/assemble.h"
+#include "shared/solid/triangulate.h"
+
+namespace dobra::solid {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Point3;
+using geom::Sign;
+
+base::Place place_at(Point3 p) {
+  base::Place place;
+  place.x = p.x;
+  place.y = p.y;
+  place.z = p.z;
+  return place;
+}
+
+/// Three corners that are not in a line: two far apart, and the one farthest from their line.
+std::optional<std::array<PointId, 3>> spread(const Space& space, const std::vector<PointId>& loop) {
+  const Point3 origin = space.rounded(loop[0]);
+  const auto farthest = [&](auto&& size) {
+    return *std::max_element(loop.begin(), loop.end(), [&](PointId p, PointId q) { return size(p) < size(q); });
+  };
+  const PointId second = farthest([&](PointId p) { return distance(space.rounded(p), origin); });
+  const geom::Vector3 along = space.rounded(second) - origin;
+  const PointId third = farthest([&](PointId p) { return length(cross(along, space.rounded(p) - origin)); });
+  if (!space.collinear(loop[0], second, third)) return std::array{loop[0], second, third};
+  for (const PointId p : loop) {
+    if (!space.collinear(loop[0], second, p)) return std::array{loop[0], second, p};
+  }
+  return std::nullopt;
+}
+
+class Reader {
+ public:
+  Reader(const FaceLoops& mesh, const FromMeshOptions& options) : mesh_(mesh), options_(options) {}
+
+  base::Result<Solid> run() {
+    DOBRA_TRY_VOID(check_corners());
+    for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) DOBRA_TRY_VOID(add_face(f));
+    soup_.inner = {Inner::Searched};
+    const std::vector<BoxTree> trees{BoxTree(soup_, 0, static_cast<std::uint32_t>(soup_.facets.size()))};
+    const Contacts found = contacts(soup_, trees);
+    const Cells cells = arrange(soup_, found);
+    const Fans round = fans(soup_, cells);
+    if (const auto half = open_half(soup_, cells, round)) return open_error(cells, *half);
+    const Sides windings = sides(soup_, cells, round, trees);
+    DOBRA_TRY_VOID(check_windings(found, cells, windings));
+    std::vector<char> inside;
+    for (const Windings& kind : windings.kinds) inside.push_back(kind.empty() ? 0 : 1);
+    return Solid(assemble(soup_, found, cells, round, windings, inside, std::move(names_)));
+  }
+
+ private:
+  base::Result<void> check_corners() const {
+    if (!options_.face_names.empty() && options_.face_names.size() != mesh_.faces.size()) {
+      return Error{ErrorCode::InvalidOption, fmt::format("there are {} names for {} faces: give one for each face",
+                                                         options_.face_names.size(), mesh_.faces.size())};
+    }
+    for (std::size_t p = 0; p < mesh_.points.size(); ++p) {
+      if (!is_finite(mesh_.points[p])) {
+        return Error{ErrorCode::NotFinite, fmt::format("point {} has a coordinate that is not a number", p)};
+      }
+    }
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      for (const auto& loop : mesh_.faces[f]) {
+        for (const std::uint32_t corner : loop) {
+          if (corner >= mesh_.points.size()) {
+            return Error{ErrorCode::BadFormat, fmt::format("face {} names point {}, which does not exist", f, corner)};
+          }
+        }
+      }
+    }
+    return {};
+  }
+
+  using Loops = std::vector<std::vector<PointId>>;
+
+  base::Result<void> add_face(std::uint32_t f) {
+    Loops loops;
+    for (const auto& corners : mesh_.faces[f]) {
+      std::vector<PointId> loop;
+      for (const std::uint32_t corner : corners) {
+        const PointId p = soup_.space.add(mesh_.points[corner]);
+        if (loop.empty() || loop.back() != p) loop.push_back(p);
+      }
+      while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+      if (loop.size() >= 3) loops.push_back(std::move(loop));
+    }
+    if (loops.empty()) return {};
+    const std::vector<PointId>& outer = loops[0];
+    if (loops.size() == 1 && outer.size() == 3) {
+      if (!soup_.space.collinear(outer[0], outer[1], outer[2])) add_facet(f, loops, {outer[0], outer[1], outer[2]});
+      return {};
+    }
+    const auto corners = spread(soup_.space, outer);
+    if (!corners) return {};
+    const PlaneId plane = add_plane(*corners);
+    const bool flat = std::all_of(loops.begin(), loops.end(), [&](const std::vector<PointId>& loop) {
+      return std::all_of(loop.begin(), loop.end(), [&](PointId p) { return soup_.space.side(plane, p) == Sign::Zero; });
+    });
+    return flat ? add_flat(f, loops, *corners, plane) : add_warped(f, loops);
+  }
+
+  PlaneId add_plane(const std::array<PointId, 3>& corners) {
+    return soup_.space.add(
+        Plane{{soup_.space.rounded(corners[0]), soup_.space.rounded(corners[1]), soup_.space.rounded(corners[2])}, {}});
+  }
+
+  void add_facet(std::uint32_t f, const Loops& loops, const std::array<PointId, 3>& corners) {
+    soup_.begin(add_plane(corners), 0,
+                name_number(options_.face_names.empty() ? options_.name : options_.face_names[f]));
+    face_.push_back(f);
+    for (const auto& loop : loops) {
+      soup_.begin_loop();
+      for (const PointId p : loop) soup_.add_corner(p, PlaneId());
+    }
+  }
+
+  base::Result<void> add_flat(std::uint32_t f, Loops& loops, std::array<PointId, 3> corners, PlaneId plane) {
+    const Projection onto = soup_.space.projection(plane);
+    if (!bound_a_face(soup_.space, onto, loops)) return crossing_error(f, loops[0]);
+    const bool left = runs_left(soup_.space, onto, loops[0]);
+    if (!left) std::swap(corners[1], corners[2]);
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      if (runs_left(soup_.space, onto, loops[l]) == left) std::reverse(loops[l].begin(), loops[l].end());
+    }
+    add_facet(f, loops, corners);
+    return {};
+  }
+
+  base::Result<void> add_warped(std::uint32_t f, Loops& loops) {
+    std::vector<Point3> points;
+    for (const PointId p : loops[0]) points.push_back(soup_.space.rounded(p));
+    const Point3 n = mesh::newell_area(points);
+    const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    const auto axis = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+    const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+    Projection onto{(axis + 1) % 3, (axis + 2) % 3};
+    if (along < 0.0) std::swap(onto.u, onto.v);
+    if (!bound_a_face(soup_.space, onto, loops) || !runs_left(soup_.space, onto, loops[0])) {
+      return crossing_error(f, loops[0]);
+    }
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      if (runs_left(soup_.space, onto, loops[l])) std::reverse(loops[l].begin(), loops[l].end());
+    }
+    const auto triangles = triangulate(soup_.space, onto, loops);
+    if (!triangles) return crossing_error(f, loops[0]);
+    for (const auto& t : *triangles) {
+      if (!soup_.space.collinear(t[0], t[1], t[2])) add_facet(f, {{t[0], t[1], t[2]}}, t);
+    }
+    return {};
+  }
+
+  [[nodiscard]] Error crossing_error(std::uint32_t f, const std::vector<PointId>& loop) const {
+    return {ErrorCode::SelfIntersection,
+            fmt::format("face {} crosses or touches itself: cut it into simple polygons", f),
+            place_at(soup_.space.rounded(loop[0]))};
+  }
+
+  [[nodiscard]] std::uint32_t face_of(const Cells& cells, CellId cell) const {
+    return face_[cells.cells[cell.index()].facet];
+  }
+
+  [[nodiscard]] Error open_error(const Cells& cells, std::uint32_t half) const {
+    const Point3 a = soup_.space.rounded(cells.halves[half].origin);
+    const Point3 b = soup_.space.rounded(cells.target(half));
+    const CellId cell = cells.halves[half].cell;
+    return {ErrorCode::NotClosed,
+            fmt::format("the surface is not closed at an edge of face {}: a face is missing there, or one of its "
+                        "faces is turned over",
+                        face_[cells.covers_of(cells.cells[cell.index()])[0].facet]),
+            place_at(a + 0.5 * (b - a))};
+  }
+
+  /// Inside is what is surrounded once.
+  base::Result<void> check_windings(const Contacts& found, const Cells& cells, const Sides& windings) const {
+    const auto number = [&](std::uint32_t kind) {
+      return windings.kinds[kind].empty() ? 0 : windings.kinds[kind][0].second;
+    };
+    for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
+      const int above = number(windings.above[c]);
+      const int below = number(windings.below[c]);
+      if (std::min(above, below) >= 0 && std::max(above, below) <= 1) continue;
+      return winding_error(found, cells, c, std::min(above, below) < 0);
+    }
+    return {};
+  }
+
+  [[nodiscard]] Error winding_error(const Contacts& found, const Cells& cells, std::uint32_t c, bool inverted) const {
+    if (!found.inside.empty()) {
+      const auto& first = *std::min_element(found.inside.begin(), found.inside.end(), [](const auto& s, const auto& t) {
+        return std::pair(s.f, s.g) < std::pair(t.f, t.g);
+      });
+      return {ErrorCode::SelfIntersection,
+              fmt::format("faces {} and {} cross: a solid's faces meet in edges and corners alone", face_[first.f],
+                          face_[first.g]),
+              place_at(soup_.space.rounded(first.at))};
+    }
+    const auto covers = cells.covers_of(cells.cells[c]);
+    const Point3 at = soup_.space.rounded(cells.halves[cells.cells[c].first_half].origin);
+    if (covers.size() > 1) {
+      return {ErrorCode::SelfIntersection,
+              fmt::format("faces {} and {} cover each other: take one of them out", face_[covers[0].facet],
+                          face_[covers[1].facet]),
+              place_at(at)};
+    }
+    const char* what = inverted ? "face {} is turned inside out, and so is the part that it bounds: turn its faces over"
+                                : "face {} bounds a part that lies within another part: unite them, or turn it over";
+    return {ErrorCode::SelfIntersection, fmt::format(fmt::runtime(what), face_[covers[0].facet]), place_at(at)};
+  }
+
+  std::uint32_t name_number(const std::string& name) {
+    const auto [at, fresh] = numbers_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
+    if (fresh) names_.push_back(name);
+    return at->second;
+  }
+
+  const FaceLoops& mesh_;
+  const FromMeshOptions& options_;
+  Soup soup_;
+  std::vector<std::uint32_t> face_;  // of each facet, the face of the mesh
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+};
+
+/// The loops of a face: the one from outside first.
+std::vector<std::vector<PointId>> sorted_loops(const Soup& soup, const Facet& facet, Projection onto) {
+  std::vector<std::vector<PointId>> loops;
+  std::size_t outer = 0;
+  const auto least = [&](const std::vector<PointId>& loop) {
+    return *std::min_element(loop.begin(), loop.end(), [&](PointId p, PointId q) {
+      return soup.space.compare(onto, p, q) == std::strong_ordering::less;
+    });
+  };
+  for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
+    loops.emplace_back(soup.corners.begin() + soup.loop_starts[l], soup.corners.begin() + soup.loop_end(facet, l));
+  }
+  for (std::size_t l = 1; l < loops.size(); ++l) {
+    const PointId own = least(loops[l]);
+    const PointId best = least(loops[outer]);
+    const auto order = soup.space.compare(onto, own, best);
+    if (order == std::strong_ordering::less) outer = l;
+  }
+  std::swap(loops[0], loops[outer]);
+  return loops;
+}
+
+}  // namespace
+
+base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options) {
+  return Reader(mesh, options).run();
+}
+
+base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
+  FaceLoops loops{mesh.points, {}};
+  loops.faces.reserve(mesh.faces.size());
+  for (const auto& face : mesh.faces) loops.faces.push_back({face});
+  return from_loops(loops, options);
+}
+
+base::Result<ToMesh> to_mesh(const Solid& solid) {
+  ToMesh out;
+  const Soup& soup = solid.boundary().soup;
+  const Space& space = soup.space;
+  std::vector<std::uint32_t> numbers(space.point_count(), none);
+  const auto number = [&](PointId p) {
+    std::uint32_t& n = numbers[p.index()];
+    if (n != none) return n;
+    n = static_cast<std::uint32_t>(out.mesh.points.size());
+    const Point3 at = space.rounded(p);
+    out.mesh.points.push_back(at);
+    if (!space.is_exact(p)) {
+      // Each coordinate was rounded by half a unit in its last place at most.
+      const auto half = [](double value) {
+        return 0.5 * (std::nextafter(std::abs(value), INFINITY) - std::abs(value));
+      };
+      out.displacement = std::max(out.displacement, std::hypot(half(at.x), half(at.y), half(at.z)));
+    }
+    return n;
+  };
+  for (std::uint32_t f = 0; f < soup.facets.size(); ++f) {
+    const Facet& facet = soup.facets[f];
+    const auto corners = soup.corners_of(facet);
+    const Projection onto = space.projection(facet.plane);
+    const bool whole = facet.loop_end - facet.first_loop == 1 &&
+                       std::all_of(corners.begin(), corners.end(), [&](PointId p) { return space.is_exact(p); }) &&
+                       is_simple(space, onto, corners);
+    const std::string& name = solid.name(FaceId(f));
+    const auto add = [&](std::span<const PointId> loop) {
+      std::vector<std::uint32_t> face;
+      for (const PointId p : loop) face.push_back(number(p));
+      out.mesh.faces.push_back(std::move(face));
+      out.names.push_back(name);
+    };
+    if (whole) {
+      add(corners);
+      continue;
+    }
+    const auto loops = sorted_loops(soup, facet, onto);
+    const auto triangles = triangulate(space, onto, loops);
+    if (!triangles) {
+      return Error{ErrorCode::CannotMesh, fmt::format("face {} of the solid cannot be cut into triangles", f),
+                   place_at(space.rounded(corners[0]))};
+    }
+    for (const auto& t : *triangles) add(t);
+  }
+  FromMeshOptions options;
+  options.face_names = out.names;
+  if (const auto back = from_mesh(out.mesh, options); !back) out.flaw = back.error();
+  return out;
+}
+
+}  // namespace dobra::solid

@@ -1,0 +1,50 @@
+#pragma once
+// Polygon meshes become solids, and solids meshes. A mesh is taken as it stands: nothing is moved, equal places are
+// one, faces that are not exactly plane are cut into triangles, faces without area are left out. What is not the
+// boundary of a solid is refused with the faces and the place. Page: docs/algorithms/boolean.md.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/mesh/polygon_mesh.h"
+#include "shared/solid/solid.h"
+
+namespace dobra::solid {
+
+struct FromMeshOptions {
+  std::string name;                     ///< Of faces that have none of their own.
+  std::vector<std::string> face_names;  ///< One for each face of the mesh, or empty. Neighbours in one plane with
+                                        ///< names that differ stay two faces.
+};
+
+/// Parts of the mesh may touch in faces' corners, in edges and in vertices, and lie in each other's cavities, turned
+/// over; edges may end within others if the surface closes there.
+/// @error NotFinite, NotClosed (an edge where a face is missing or turned over), SelfIntersection (a face that
+///        crosses itself, faces that cross, or a region that is surrounded twice or from the wrong side).
+/// @cost  O(n log n + pairs of faces whose boxes overlap)
+base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options = {});
+
+/// Faces with holes: loops of corners, the first anticlockwise seen from outside; the others are its holes, either way.
+struct FaceLoops {
+  std::vector<geom::Point3> points;
+  std::vector<std::vector<std::vector<std::uint32_t>>> faces;
+};
+/// The same for them.
+base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options = {});
+
+struct ToMesh {
+  mesh::PolygonMesh mesh;
+  std::vector<std::string> names;  ///< Of each face.
+  double displacement = 0.0;       ///< The farthest that rounding to doubles moved a vertex at most, m; 0 if none was.
+  /// What the rounded mesh is not: the message of from_mesh() about it; none if it is a solid's boundary.
+  std::optional<base::Error> flaw;
+};
+
+/// Faces with holes, and those with a corner that had to be rounded, are triangles; the others stay as they are.
+/// @error CannotMesh if a face cannot be cut into triangles.
+/// @cost  that of from_mesh(), which looks at the result; O(m^2) at worst for a face of m corners that is cut.
+base::Result<ToMesh> to_mesh(const Solid& solid);
+
+}  // namespace dobra::solid

@@ -1,0 +1,341 @@
+#include "shared/solid/section.h"
+
+#include <algorithm>
+
+#include "shared/solid/contacts.h"
+#include "shared/topo/insert.h"
+
+namespace dobra::solid {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Point3;
+using geom::Sign;
+using geom::Vector3;
+
+Plane as_plane(const CutPlane& cut) { return {{Point3{cut.a, cut.b, cut.c}, {}, {}}, cut.d}; }
+
+/// Whether a facet's border runs along the axis where the facet is the border of an area on its left, seen from above.
+bool runs_forwards(const Space& space, PlaneId cut, PlaneId facet, int axis) {
+  const auto i = static_cast<std::size_t>(axis);
+  const Vector3 m = space.rough_normal(cut);
+  const Vector3 n = space.rough_normal(facet);
+  const Vector3 line = cross(m, n);
+  const std::array<double, 3> rough{line.x, line.y, line.z};
+  if (std::abs(rough[i]) > 1e-3 * length(m) * length(n)) return rough[i] > 0.0;
+  return cross(space.normal(cut), space.normal(facet))[i].sign() == Sign::Positive;
+}
+
+/// Reads how often each solid surrounds every face of a subdivision off the paths of its lines.
+class Areas {
+ public:
+  Areas(topo::Subdivision& plane, std::size_t solids) : plane_(plane), solids_(solids) {}
+
+  void pass(topo::HalfEdgeId h, std::uint32_t solid) {
+    const bool forwards = topo::Subdivision::half_edge(topo::Subdivision::edge(h)) == h;
+    auto& steps = steps_of(topo::Subdivision::edge(h));
+    steps.push_back({solid, forwards ? 1 : -1});
+  }
+
+  /// Sets SectionArea, and takes out the edges that have the same on both sides.
+  void finish() {
+    spread();
+    std::vector<topo::EdgeId> idle;
+    for (const topo::EdgeId e : plane_.edges()) {
+      const topo::HalfEdgeId h = topo::Subdivision::half_edge(e);
+      if (area_of(plane_.face(h)) == area_of(plane_.face(topo::Subdivision::twin(h)))) idle.push_back(e);
+    }
+    for (const topo::FaceId f : plane_.faces()) {
+      if (const std::uint32_t solid = area_of(f); solid != none) plane_.attribute(f) = SectionArea{solid};
+    }
+    for (const topo::EdgeId e : idle) DOBRA_CHECK(topo::remove(plane_, e).ok());
+  }
+
+ private:
+  struct Step {
+    std::uint32_t solid;
+    int left;  // to the left of half_edge(e) it is surrounded so often more
+  };
+
+  std::vector<Step>& steps_of(topo::EdgeId e) {
+    if (steps_.size() <= e.index()) steps_.resize(e.index() + 1);
+    return steps_[e.index()];
+  }
+
+  void spread() {
+    std::size_t count = 0;
+    for (const topo::FaceId f : plane_.faces()) count = std::max(count, f.index() + 1);
+    numbers_.resize(count);
+    std::vector<char> known(count, 0);
+    std::vector<topo::FaceId> queue{topo::Subdivision::unbounded()};
+    numbers_[queue[0].index()].assign(solids_, 0);
+    known[queue[0].index()] = 1;
+    while (!queue.empty()) {
+      const topo::FaceId face = queue.back();
+      queue.pop_back();
+      for (const topo::LoopId loop : plane_.loops(face)) {
+        for (const topo::HalfEdgeId h : plane_.half_edges(loop)) {
+          const topo::FaceId beyond = plane_.face(topo::Subdivision::twin(h));
+          if (known[beyond.index()] != 0) continue;
+          known[beyond.index()] = 1;
+          auto& numbers = numbers_[beyond.index()] = numbers_[face.index()];
+          const bool forwards = topo::Subdivision::half_edge(topo::Subdivision::edge(h)) == h;
+          for (const Step& step : steps_of(topo::Subdivision::edge(h)))
+            numbers[step.solid] -= forwards ? step.left : -step.left;
+          queue.push_back(beyond);
+        }
+      }
+    }
+  }
+
+  /// The first solid that surrounds the face.
+  [[nodiscard]] std::uint32_t area_of(topo::FaceId f) const {
+    const auto& numbers = numbers_[f.index()];
+    const auto at = std::find_if(numbers.begin(), numbers.end(), [](int n) { return n > 0; });
+    return at == numbers.end() ? none : static_cast<std::uint32_t>(at - numbers.begin());
+  }
+
+  topo::Subdivision& plane_;
+  std::size_t solids_;
+  std::vector<std::vector<Step>> steps_;
+  std::vector<std::vector<int>> numbers_;
+};
+
+bool crosses(const Box3& box, const CutPlane& plane) {
+  double low = plane.d;
+  double high = plane.d;
+  double size = std::abs(plane.d);
+  const std::array<double, 3> n{plane.a, plane.b, plane.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double p = n[i] * box.low[i];
+    const double q = n[i] * box.high[i];
+    low += std::min(p, q);
+    high += std::max(p, q);
+    size += std::max(std::abs(p), std::abs(q));
+  }
+  const double slack = 0x1p-48 * size;
+  return low <= slack && high >= -slack;
+}
+
+/// The part of a box below a plane, as a soup of its faces.
+class HalfBox {
+ public:
+  HalfBox(const Box3& box, const CutPlane& cut, const std::string& name) {
+    names_ = {"", name};
+    cut_ = soup_.space.add(as_plane(cut));
+    for (std::size_t i = 0; i < 8; ++i) {
+      corners_[i] =
+          soup_.space.add(Point3{(i & 1U) != 0 ? box.high[0] : box.low[0], (i & 2U) != 0 ? box.high[1] : box.low[1],
+                                 (i & 4U) != 0 ? box.high[2] : box.low[2]});
+    }
+  }
+
+  Solid solid() {
+    constexpr std::array<std::array<std::size_t, 4>, 6> faces{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    bool any_above = false;
+    for (const PointId p : corners_) any_above = any_above || soup_.space.side(cut_, p) == Sign::Positive;
+    for (const auto& face : faces) clip(face);
+    if (any_above && !soup_.facets.empty()) close();
+    return link();
+  }
+
+ private:
+  void clip(const std::array<std::size_t, 4>& face) {
+    std::vector<PointId> loop;
+    bool any_below = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const PointId p = corners_[face[i]];
+      const PointId q = corners_[face[(i + 1) % 4]];
+      const Sign at_p = soup_.space.side(cut_, p);
+      const Sign at_q = soup_.space.side(cut_, q);
+      any_below = any_below || at_p == Sign::Negative;
+      if (at_p != Sign::Positive) loop.push_back(p);
+      if (at_p == Sign::Zero) rim_.push_back(p);
+      if (at_p * at_q == Sign::Negative) {
+        loop.push_back(soup_.space.meet(p, q, cut_));
+        rim_.push_back(loop.back());
+      }
+    }
+    if (!any_below) return;
+    const auto place = [&](std::size_t i) { return soup_.space.rounded(corners_[face[i]]); };
+    add(soup_.space.add(Plane{{place(0), place(1), place(2)}, {}}), loop, 0);
+  }
+
+  void add(PlaneId plane, const std::vector<PointId>& loop, std::uint32_t name) {
+    soup_.begin(plane, 0, name);
+    soup_.begin_loop();
+    for (const PointId p : loop) soup_.add_corner(p, PlaneId());
+  }
+
+  /// The cap: the hull of the points on the plane, all of which are its corners, anticlockwise seen from above.
+  void close() {
+    const Projection onto = soup_.space.projection(cut_);
+    std::sort(rim_.begin(), rim_.end(), [&](PointId p, PointId q) {
+      return p != q && soup_.space.compare(onto, p, q) == std::strong_ordering::less;
+    });
+    rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());
+    std::vector<PointId> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+      const std::size_t first = hull.size();
+      for (const PointId p : rim_) {
+        while (hull.size() >= first + 2 &&
+               soup_.space.orient(onto, hull[hull.size() - 2], hull.back(), p) == Sign::Negative) {
+          hull.pop_back();
+        }
+        hull.push_back(p);
+      }
+      hull.pop_back();
+      std::reverse(rim_.begin(), rim_.end());
+    }
+    add(cut_, hull, 1);
+  }
+
+  Solid link() {
+    Boundary out;
+    out.names = names_;
+    out.shell_count = soup_.facets.empty() ? 0 : 1;
+    out.shells.assign(soup_.facets.size(), 0);
+    std::vector<std::uint32_t> facet(soup_.corners.size());
+    std::vector<std::pair<PointId, PointId>> ends(soup_.corners.size());
+    std::vector<std::uint32_t> numbers(soup_.space.point_count(), none);
+    for (std::uint32_t f = 0; f < soup_.facets.size(); ++f) {
+      soup_.visit_edges(soup_.facets[f], [&](std::uint32_t i, std::uint32_t j) {
+        facet[i] = f;
+        ends[i] = {soup_.corners[i], soup_.corners[j]};
+      });
+    }
+    for (std::uint32_t i = 0; i < ends.size(); ++i) {
+      std::uint32_t& number = numbers[ends[i].first.index()];
+      if (number == none) number = out.vertex_count++;
+      out.vertices.push_back(number);
+      const auto mate = std::find(ends.begin(), ends.end(), std::pair(ends[i].second, ends[i].first));
+      DOBRA_CHECK(mate != ends.end());
+      out.mates.push_back(static_cast<std::uint32_t>(mate - ends.begin()));
+      soup_.across[i] = soup_.facets[facet[out.mates[i]]].plane;
+    }
+    soup_.inner = {Inner::Trusted};
+    out.soup = std::move(soup_);
+    return Solid(std::move(out));
+  }
+
+  Soup soup_;
+  PlaneId cut_;
+  std::array<PointId, 8> corners_;
+  std::vector<PointId> rim_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+base::Result<SectionFrame> frame_of(const CutPlane& plane) {
+  const Vector3 normal{plane.a, plane.b, plane.c};
+  const double size = length(normal);
+  if (!std::isfinite(size) || !std::isfinite(plane.d) || size == 0.0) {
+    return Error{ErrorCode::InvalidOption, "a plane a, b, c, d needs finite numbers, and a, b and c not all zero"};
+  }
+  const Vector3 n = normal / size;
+  const Vector3 level = cross({0.0, 0.0, 1.0}, n);
+  SectionFrame frame;
+  frame.origin = Point3{} + (-plane.d / size) * n;
+  frame.along = length(level) == 0.0 ? Vector3{1.0, 0.0, 0.0} : normalised(level);
+  frame.up = cross(n, frame.along);
+  return frame;
+}
+
+struct Sections::Line {
+  geom::Point from, to;
+  std::uint32_t solid;
+  const std::string* name;
+};
+
+Sections::Sections(std::span<const Solid> solids) : solids_(solids.begin(), solids.end()) {
+  for (const Solid& s : solids_) {
+    trees_.emplace_back(s.boundary().soup, 0, static_cast<std::uint32_t>(s.face_count()));
+  }
+}
+
+void Sections::collect(std::uint32_t solid, const CutPlane& plane, const SectionFrame& frame,
+                       std::vector<Line>& lines) const {
+  const Soup& all = solids_[solid].boundary().soup;
+  Soup soup;  // of one facet at a time, in a space that the cut's points do not outlive
+  const PlaneId cut = soup.space.add(as_plane(plane));
+  std::vector<std::uint32_t> found;
+  trees_[solid].select([&](const Box3& box) { return crosses(box, plane); },
+                       [&](std::uint32_t f) { found.push_back(f); });
+  std::sort(found.begin(), found.end());
+  std::vector<Sign> signs;
+  std::vector<Stop> stops;
+  for (const std::uint32_t f : found) {
+    const Facet& facet = all.facets[f];
+    signs.clear();
+    soup.begin(soup.space.add(all.space.plane(facet.plane)), 0, 0);
+    for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
+      soup.begin_loop();
+      for (std::uint32_t i = all.loop_starts[l]; i < all.loop_end(facet, l); ++i) {
+        soup.add_corner(soup.space.add(all.space, all.corners[i]), PlaneId());
+        signs.push_back(soup.space.side(cut, soup.corners.back()));
+      }
+    }
+    if (std::find(signs.begin(), signs.end(), Sign::Negative) == signs.end()) continue;
+    if (std::all_of(signs.begin(), signs.end(), [](Sign s) { return s == Sign::Negative; })) continue;
+    const PlaneId own = soup.facets.back().plane;
+    const int axis = axis_of_line(soup.space, cut, own);
+    const bool forwards = runs_forwards(soup.space, cut, own, axis);
+    stops_along(soup, static_cast<std::uint32_t>(soup.facets.size() - 1), cut, signs, axis, stops);
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      if (!stops[i].below) continue;
+      const geom::Point from = frame.in_plane(soup.space.rounded(stops[i].point));
+      const geom::Point to = frame.in_plane(soup.space.rounded(stops[i + 1].point));
+      if (from == to) continue;
+      const std::string* name = &solids_[solid].name(FaceId(f));
+      lines.push_back(forwards ? Line{from, to, solid, name} : Line{to, from, solid, name});
+    }
+  }
+}
+
+base::Result<Section> Sections::cut(const CutPlane& plane) const {
+  Section out;
+  DOBRA_TRY(out.frame, frame_of(plane));
+  std::vector<Line> lines;
+  for (std::uint32_t s = 0; s < solids_.size(); ++s) collect(s, plane, out.frame, lines);
+  std::vector<geom::Polyline> curves;
+  for (const Line& line : lines) curves.push_back({{line.from, line.to}, false});
+  DOBRA_TRY(const auto paths, topo::insert(out.plane, curves));
+  Areas areas(out.plane, solids_.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const topo::HalfEdgeId h : paths[i]) {
+      areas.pass(h, lines[i].solid);
+      std::any& attribute = out.plane.attribute(topo::Subdivision::edge(h));
+      if (!attribute.has_value()) attribute = SectionLine{};
+      auto& names = std::any_cast<SectionLine&>(attribute).names;
+      const auto at = std::lower_bound(names.begin(), names.end(), *lines[i].name);
+      if (at == names.end() || *at != *lines[i].name) names.insert(at, *lines[i].name);
+    }
+  }
+  areas.finish();
+  return out;
+}
+
+base::Result<Halves> halve(const Solid& solid, const CutPlane& plane, const std::string& cap) {
+  DOBRA_TRY_VOID(frame_of(plane));
+  if (solid.empty()) return Halves{};
+  const BoxTree tree(solid.boundary().soup, 0, static_cast<std::uint32_t>(solid.face_count()));
+  // A box with room on all sides, so that no face of it meets the solid.
+  Box3 box = tree.box();
+  double size = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    size = std::max({size, box.high[i] - box.low[i], std::abs(box.low[i]), std::abs(box.high[i])});
+  const double room = std::exp2(std::ceil(std::log2(size)));
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.low[i] = -2.0 * room;
+    box.high[i] = 2.0 * room;
+  }
+  const std::array operands{solid, HalfBox(box, plane, cap).solid()};
+  DOBRA_TRY(Combined below, combine(operands, Operation::Intersection));
+  DOBRA_TRY(Combined above, combine(operands, Operation::Difference));
+  return Halves{std::move(below.solid), std::move(above.solid), below.contact};
+}
+
+}  // namespace dobra::solid

@@ -1,0 +1,187 @@
+#include "shared/solid/mesh_solid.h"
+
+#include <gmock/gmock.h>
+
+#include "shared/solid/section.h"
+#include "shared/solid/validate.h"
+#include "tests/shared/solid/shapes.h"
+
+namespace dobra::solid {
+namespace {
+
+using namespace shapes;
+using base::ErrorCode;
+
+PolygonMesh joined(PolygonMesh a, const PolygonMesh& b) {
+  const auto shift = static_cast<std::uint32_t>(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for (auto face : b.faces) {
+    for (std::uint32_t& p : face) p += shift;
+    a.faces.push_back(face);
+  }
+  return a;
+}
+PolygonMesh turned_over(PolygonMesh mesh) {
+  for (auto& face : mesh.faces) std::reverse(face.begin(), face.end());
+  return mesh;
+}
+
+TEST(FromMesh, NamesTheOpenEdgeAndItsFace) {
+  PolygonMesh open = box({0, 0, 0}, {1, 1, 1});
+  open.faces.pop_back();  // at x = 1
+  const auto made = from_mesh(open);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, ErrorCode::NotClosed);
+  EXPECT_THAT(made.error().message, testing::HasSubstr("face "));
+  ASSERT_TRUE(made.error().place);
+  EXPECT_EQ(made.error().place->x, 1.0);
+  EXPECT_EQ(base::exit_code(made.error().code), 3);
+  PolygonMesh one_turned = box({0, 0, 0}, {1, 1, 1});
+  std::reverse(one_turned.faces[2].begin(), one_turned.faces[2].end());
+  EXPECT_EQ(from_mesh(one_turned).error().code, ErrorCode::NotClosed);
+}
+
+TEST(FromMesh, RefusesWhatIsInsideOut) {
+  const auto made = from_mesh(turned_over(box({0, 0, 0}, {1, 1, 1})));
+  ASSERT_FALSE(made.ok());
+  EXPECT_THAT(made.error().message, testing::HasSubstr("inside out"));
+}
+
+TEST(FromMesh, NamesBothFacesThatCrossAndThePlace) {
+  const auto made = from_mesh(joined(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})));
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, ErrorCode::SelfIntersection);
+  // Face 1 is the first one's upper side; faces 6 and on are the second's.
+  EXPECT_THAT(made.error().message, testing::HasSubstr("faces 1 and 8 cross"));
+  ASSERT_TRUE(made.error().place);
+  EXPECT_EQ(made.error().place->z, 2.0);
+  const auto twice = from_mesh(joined(box({0, 0, 0}, {2, 2, 2}), box({0, 0, 0}, {2, 2, 2})));
+  ASSERT_FALSE(twice.ok());
+  EXPECT_THAT(twice.error().message, testing::HasSubstr("cover each other"));
+  const auto nested = from_mesh(joined(box({0, 0, 0}, {3, 3, 3}), box({1, 1, 1}, {2, 2, 2})));
+  ASSERT_FALSE(nested.ok());
+  EXPECT_THAT(nested.error().message, testing::HasSubstr("lies within another part"));
+}
+
+TEST(FromMesh, NamesAFaceThatCrossesItself) {
+  PolygonMesh mesh = prism({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, 0, 1);
+  std::swap(mesh.faces[4][0], mesh.faces[4][1]);
+  const auto made = from_mesh(mesh);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, ErrorCode::SelfIntersection);
+  EXPECT_THAT(made.error().message, testing::HasSubstr("face 4 crosses or touches itself"));
+}
+
+TEST(FromMesh, RefusesBadCornersAndNumbers) {
+  PolygonMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.faces[3][1] = 99;
+  EXPECT_EQ(from_mesh(mesh).error().code, ErrorCode::BadFormat);
+  mesh = box({0, 0, 0}, {1, 1, NAN});
+  EXPECT_EQ(from_mesh(mesh).error().code, ErrorCode::NotFinite);
+  FromMeshOptions options;
+  options.face_names = {"one"};
+  EXPECT_EQ(from_mesh(box({0, 0, 0}, {1, 1, 1}), options).error().code, ErrorCode::InvalidOption);
+}
+
+TEST(FromMesh, AcceptsCavitiesPartsThatTouchAndSeamsBetweenUnequalEdges) {
+  const Solid hollow = solid(joined(box({0, 0, 0}, {3, 3, 3}), turned_over(box({1, 1, 1}, {2, 2, 2}))));
+  EXPECT_EQ(hollow.counts(), (Counts{16, 24, 12, 0, 2, 0}));
+  EXPECT_EQ(volume(hollow), 26.0);
+  const Solid touching = solid(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2})));
+  EXPECT_EQ(touching.counts(), (Counts{16, 24, 12, 0, 2, 0}));
+  // One face of a box is cut into two at an edge's middle, which its neighbours do not have as a corner.
+  PolygonMesh seam = box({0, 0, 0}, {2, 2, 2});
+  seam.points.push_back({1, 0, 2});
+  seam.points.push_back({1, 2, 2});
+  seam.faces[1] = {4, 8, 9, 6};
+  seam.faces.push_back({8, 5, 7, 9});
+  EXPECT_EQ(solid(seam).counts(), (Counts{8, 12, 6, 0, 1, 0}));
+  // Equal places under several numbers, as in STL, and triangles without area.
+  PolygonMesh soup;
+  for (const auto& face : box({0, 0, 0}, {2, 2, 2}).faces) {
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      for (const std::uint32_t p : {face[0], face[i], face[i + 1]})
+        soup.points.push_back(box({0, 0, 0}, {2, 2, 2}).points[p]);
+      soup.faces.push_back({first, first + 1, first + 2});
+    }
+  }
+  soup.faces.push_back({0, 1, 1});
+  EXPECT_EQ(solid(soup).counts(), (Counts{8, 12, 6, 0, 1, 0}));
+}
+
+TEST(FromMesh, CutsWarpedFacesIntoTriangles) {
+  PolygonMesh warped = box({0, 0, 0}, {1, 1, 1});
+  warped.points[7].z = 1.5;
+  const Solid s = solid(warped);
+  EXPECT_THAT(violations(s), testing::IsEmpty());
+  EXPECT_EQ(s.counts(), (Counts{8, 13, 7, 0, 1, 0}));
+  EXPECT_TRUE(volume(s) == 1.0 + 0.5 / 3.0 || volume(s) == 1.0 + 0.5 / 6.0) << volume(s);
+}
+
+TEST(ToMesh, IsTheSolidAgainWhereNothingIsRounded) {
+  const Solid block =
+      subtract({box_solid({0, 0, 0}, {5, 3, 3}), box_solid({1, 1, -1}, {2, 2, 4}), box_solid({3, 1, 1}, {4, 2, 3})});
+  const ToMesh out = to_mesh(block).value();
+  EXPECT_EQ(out.displacement, 0.0);
+  EXPECT_FALSE(out.flaw);
+  const Solid back = solid(out.mesh);
+  EXPECT_EQ(back.counts(), block.counts());
+  EXPECT_EQ(volume(back), volume(block));
+  EXPECT_THAT(mesh::check(out.mesh, mesh::Closedness::Solid), testing::IsEmpty());
+}
+
+TEST(ToMesh, TellsHowFarRoundingMovedVertices) {
+  const Solid s =
+      subtract({solid(sphere({0, 0, 0}, 1.0, 8, 12)), solid(rotated(box({0, 0, 0}, {2, 2, 2}), {1, 2, 3}, 0.3))});
+  const ToMesh out = to_mesh(s).value();
+  EXPECT_GT(out.displacement, 0.0);
+  EXPECT_LT(out.displacement, 2e-16);
+  EXPECT_FALSE(out.flaw) << out.flaw->message;
+  EXPECT_NEAR(volume(solid(out.mesh)), volume(s), 1e-15);
+  EXPECT_EQ(out.names.size(), out.mesh.faces.size());
+}
+
+TEST(ToMesh, SaysWhereRoundingSpoiledTheMesh) {
+  // Two parts of a ball with a gap between them that is thinner than the distance of doubles at one end.
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> real(-1.0, 1.0);
+  const Solid ball = solid(sphere({0, 0, 0}, 1.0, 6, 9));
+  int spoiled = 0;
+  for (int i = 0; i < 12; ++i) {
+    const CutPlane lower{real(random), real(random), real(random), 0.3 * real(random)};
+    CutPlane upper = lower;
+    upper.a += 0x1p-53;
+    upper.b -= 0x1p-53;
+    const Solid parts = unite({halve(ball, lower).value().below, halve(ball, upper).value().above});
+    EXPECT_THAT(violations(parts), testing::IsEmpty());
+    const ToMesh out = to_mesh(parts).value();
+    if (!out.flaw) continue;
+    ++spoiled;
+    EXPECT_EQ(out.flaw->code, ErrorCode::SelfIntersection) << out.flaw->message;
+    EXPECT_TRUE(out.flaw->place);
+  }
+  EXPECT_GT(spoiled, 0);
+}
+
+TEST(ToMesh, HasOneTriangulationForRandomFacesWithHoles) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Solid> operands{box_solid({0, 0, 0}, {16, 16, 1})};
+    for (int k = 0; k < 12; ++k) {
+      const double x = static_cast<double>(random() % 15);
+      const double y = static_cast<double>(random() % 15);
+      operands.push_back(box_solid({x, y, -1}, {x + 1 + static_cast<double>(random() % 2), y + 1, 2}));
+    }
+    const Solid sheet = subtract(operands);
+    const auto out = to_mesh(sheet);
+    ASSERT_TRUE(out.ok()) << i << out.error().message;
+    EXPECT_FALSE(out->flaw) << i << " " << out->flaw->message;
+    const Solid back = solid(out->mesh);
+    EXPECT_EQ(volume(back), volume(sheet));
+    EXPECT_EQ(back.counts(), sheet.counts());
+  }
+}
+
+}  // namespace
+}  // namespace dobra::solid
