@@ -1,7 +1,7 @@
 #pragma once
 // Borders that only cut a surface (seams of closed ones, lines between two charts of one face) are where the division
 // put them; here their nodes are freed: they move where the triangles around are better, and sides of them are flipped,
-// so that no seam is seen in the mesh. Page: docs/algorithms/surface_border.md.
+// so that no seam is seen in the mesh. Page: docs/algorithms/free_borders.md.
 
 #include <span>
 #include <string>
