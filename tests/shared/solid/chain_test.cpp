@@ -14,7 +14,7 @@
 namespace dobra::solid {
 namespace {
 
-constexpr int side = 3;  // cells along each axis
+constexpr int cells_across = 3;  // cells along each axis
 
 /// The cells that a solid fills.
 using Table = std::set<int>;
@@ -25,8 +25,9 @@ struct Range {
 Range any_range(std::mt19937_64& random) {
   Range range{};
   for (std::size_t i = 0; i < 3; ++i) {
-    range.low[i] = static_cast<int>(random() % side);
-    range.high[i] = range.low[i] + 1 + static_cast<int>(random() % static_cast<std::uint64_t>(side - range.low[i]));
+    range.low[i] = static_cast<int>(random() % cells_across);
+    range.high[i] =
+        range.low[i] + 1 + static_cast<int>(random() % static_cast<std::uint64_t>(cells_across - range.low[i]));
   }
   return range;
 }
@@ -35,7 +36,7 @@ Table cells_of(const Range& range) {
   Table cells;
   for (int x = range.low[0]; x < range.high[0]; ++x) {
     for (int y = range.low[1]; y < range.high[1]; ++y) {
-      for (int z = range.low[2]; z < range.high[2]; ++z) cells.insert((x * side + y) * side + z);
+      for (int z = range.low[2]; z < range.high[2]; ++z) cells.insert((x * cells_across + y) * cells_across + z);
     }
   }
   return cells;
@@ -52,13 +53,14 @@ std::size_t part_count(const Table& table) {
     while (!queue.empty()) {
       const int cell = queue.back();
       queue.pop_back();
-      const std::array<int, 3> at{cell / (side * side), cell / side % side, cell % side};
+      const std::array<int, 3> at{cell / (cells_across * cells_across), cell / cells_across % cells_across,
+                                  cell % cells_across};
       for (std::size_t i = 0; i < 3; ++i) {
         for (const int step : {-1, 1}) {
           auto next = at;
           next[i] += step;
-          if (next[i] < 0 || next[i] >= side) continue;
-          const int number = (next[0] * side + next[1]) * side + next[2];
+          if (next[i] < 0 || next[i] >= cells_across) continue;
+          const int number = (next[0] * cells_across + next[1]) * cells_across + next[2];
           if (left.erase(number) > 0) queue.push_back(number);
         }
       }
@@ -83,7 +85,7 @@ void run_chain(std::mt19937_64& random, const Maker& make, const Centre& centre,
     const Operation operation = kind == 3   ? Operation::Intersection
                                 : kind == 2 ? Operation::Difference
                                             : Operation::Union;
-    for (int cell = 0; cell < side * side * side; ++cell) {
+    for (int cell = 0; cell < cells_across * cells_across * cells_across; ++cell) {
       const bool in = table.contains(cell);
       const bool in_other = other.contains(cell);
       const bool keep = operation == Operation::Union        ? in || in_other
@@ -94,16 +96,18 @@ void run_chain(std::mt19937_64& random, const Maker& make, const Centre& centre,
     solid = shapes::combined({solid, operand}, operation).solid;
     table = next;
     ASSERT_THAT(violations(solid), testing::IsEmpty());
-    ASSERT_NEAR(volume(solid), static_cast<double>(table.size()) * cell_volume, 1e-15 * side * side * side);
+    ASSERT_NEAR(volume(solid), static_cast<double>(table.size()) * cell_volume,
+                1e-15 * cells_across * cells_across * cells_across);
     ASSERT_TRUE(shapes::euler_holds(solid.counts()));
     std::size_t outer = 0;
     for (const double v : shell_volumes(solid)) outer += v > 0.0 ? 1U : 0U;
     ASSERT_EQ(outer, part_count(table));
     const PointLocator locator(solid);
-    for (int x = 0; x < side; ++x) {
-      for (int y = 0; y < side; ++y) {
-        for (int z = 0; z < side; ++z) {
-          const Location expected = table.contains((x * side + y) * side + z) ? Location::Inside : Location::Outside;
+    for (int x = 0; x < cells_across; ++x) {
+      for (int y = 0; y < cells_across; ++y) {
+        for (int z = 0; z < cells_across; ++z) {
+          const Location expected =
+              table.contains((x * cells_across + y) * cells_across + z) ? Location::Inside : Location::Outside;
           ASSERT_EQ(locator.locate(centre(x, y, z)), expected);
         }
       }

@@ -9,12 +9,13 @@
 #include <numbers>
 
 #include "shared/surf/mesh/assemble.h"
+#include "tests/shared/surf/surface_shapes.h"
 
 namespace dobra::surf::mesh {
 namespace {
 
 using geom::Point;
-constexpr double pi = std::numbers::pi;
+using test::pi;
 
 /// A whole cylinder of radius 1 in columns of squares cut along one diagonal; the seam at u = 0 is crooked: its inner
 /// nodes are shifted along v, which makes the triangles beside it bad.
@@ -80,7 +81,9 @@ TEST(FreeBorders, WhatIsAnotherSetOrABorderStays) {
   free_borders(cylinder.mesh, {&cylinder.face, 1}, owner, "seam");
   for (std::size_t j = 0; j <= cylinder.rows; ++j) EXPECT_EQ(cylinder.mesh.points[j], before.points[j]);
   for (std::size_t n = 0; n < before.points.size(); ++n) {
-    if (before.points[n].z == 0.0 || before.points[n].z == 4.0) EXPECT_EQ(cylinder.mesh.points[n], before.points[n]);
+    if (before.points[n].z == 0.0 || before.points[n].z == 4.0) {
+      EXPECT_EQ(cylinder.mesh.points[n], before.points[n]);
+    }
   }
 }
 

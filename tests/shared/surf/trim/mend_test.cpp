@@ -34,11 +34,11 @@ int told(const Mended& mended, const std::string& code) {
       std::count_if(mended.findings.begin(), mended.findings.end(), [&](const Finding& f) { return f.code == code; }));
 }
 const std::vector<Point> corners{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-Surface square() { return *Surface::plane({}, {{0, 0}, {4, 4}}); }
+Surface four_by_four() { return *Surface::plane({}, {{0, 0}, {4, 4}}); }
 
 TEST(Mend, LoopsTurnedAnyWayMeanTheSameFace) {
   for (int turns = 0; turns < 8; ++turns) {
-    TrimmedSurface face{square(), {}};
+    TrimmedSurface face{four_by_four(), {}};
     const ChartLoop outer = ring(corners), hole = round({2, 2}, 1), island = ring({{1.8, 1.8}, {2.2, 1.8}, {2, 2.3}});
     face.loops = {turns & 1 ? turned(outer) : outer, turns & 2 ? hole : turned(hole),
                   turns & 4 ? turned(island) : island};
@@ -109,7 +109,7 @@ TEST(Mend, WhatASphereKeepsFollowsFromTheTurnOfItsLoop) {
 
 TEST(Mend, GapsAreClosedAndASlitIsALineInside) {
   for (const double gap : {1e-7, 1e-5, 1e-3}) {
-    TrimmedSurface face{square(), {ring(corners)}};
+    TrimmedSurface face{four_by_four(), {ring(corners)}};
     ChartLoop hole;
     hole.edges = {straight({1, 1}, {1, 3}), straight({1 + gap, 3}, {3, 3}), straight({3, 3 - gap}, {3, 1}),
                   straight({3, 1 + gap}, {1, 1 + gap})};
@@ -121,7 +121,7 @@ TEST(Mend, GapsAreClosedAndASlitIsALineInside) {
     EXPECT_EQ(told(*found, "gap_closed"), gap > 4e-7 ? 4 : 0) << gap;
     check_loops(found->face);
   }
-  TrimmedSurface slit{square(), {ring({{0, 0}, {2, 0}, {2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}})}};
+  TrimmedSurface slit{four_by_four(), {ring({{0, 0}, {2, 0}, {2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}})}};
   SharedNumbers numbers;
   const auto found = mended(slit, numbers);
   ASSERT_TRUE(found.ok()) << found.error().message;
@@ -132,7 +132,8 @@ TEST(Mend, GapsAreClosedAndASlitIsALineInside) {
 TEST(Mend, LoopsALittleBeyondTheChartArePulledIn) {
   for (const double off : {1e-9, 1e-6, 1e-3}) {
     SharedNumbers numbers;
-    const auto found = mended({square(), {ring({{-off, -off}, {4 + off, -off}, {4 + off, 4}, {0, 4 + off}})}}, numbers);
+    const auto found =
+        mended({four_by_four(), {ring({{-off, -off}, {4 + off, -off}, {4 + off, 4}, {0, 4 + off}})}}, numbers);
     ASSERT_TRUE(found.ok()) << off << found.error().message;
     EXPECT_NEAR(chart_area(found->face), 16.0, 4 * off);
     EXPECT_EQ(told(*found, "pulled_in") > 0, off > 1e-7) << off;
@@ -142,15 +143,15 @@ TEST(Mend, LoopsALittleBeyondTheChartArePulledIn) {
 
 TEST(Mend, LoopsThatCrossAreRefusedAndThoseThatTouchAreNot) {
   SharedNumbers numbers;
-  const auto eight = mended({square(), {ring({{1, 1}, {3, 3}, {3, 1}, {1, 3}})}}, numbers);
+  const auto eight = mended({four_by_four(), {ring({{1, 1}, {3, 3}, {3, 1}, {1, 3}})}}, numbers);
   ASSERT_FALSE(eight.ok());
   EXPECT_EQ(eight.error().code, base::ErrorCode::SelfIntersection);
   EXPECT_NEAR(*eight.error().place->u, 2.0, 1e-9);
   EXPECT_NEAR(*eight.error().place->y, 2.0, 1e-9);
-  const auto holes = mended({square(), {ring(corners), round({1.5, 2}, 1), round({2.5, 2}, 1)}}, numbers);
+  const auto holes = mended({four_by_four(), {ring(corners), round({1.5, 2}, 1), round({2.5, 2}, 1)}}, numbers);
   ASSERT_FALSE(holes.ok());
   EXPECT_EQ(holes.error().code, base::ErrorCode::SelfIntersection);
-  const auto touching = mended({square(), {ring(corners), round({1, 2}, 1), round({3, 2}, 1)}}, numbers);
+  const auto touching = mended({four_by_four(), {ring(corners), round({1, 2}, 1), round({3, 2}, 1)}}, numbers);
   ASSERT_TRUE(touching.ok()) << touching.error().message;
   EXPECT_NEAR(chart_area(touching->face), 16 - 2 * pi, 1e-9);
 }
