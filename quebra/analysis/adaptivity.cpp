@@ -257,6 +257,15 @@ double aimed_at(const Analysis& analysis, const AdaptParams& params, double effe
   return analysis.eta * std::pow(goal / analysis.eta, 1.0 / steps);
 }
 
+/// The size with 12 bits: the last digits of an estimate depend on the processor by the kernels of the solver, the mesh
+/// does not.
+double without_noise(double size) {
+  constexpr double steps = 4096.0;
+  int exponent = 0;
+  const double part = std::frexp(size, &exponent);
+  return std::ldexp(std::round(part * steps) / steps, exponent);
+}
+
 /// Of the next mesh.
 struct Wanted {
   meshing::MeshWishes mesh = {};
@@ -286,6 +295,7 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
   const bool confirm = before.to_confirm(params.target);
   for (std::size_t e = 0; confirm && e < own.element_count(); ++e)
     least[e] = std::min(least[e], std::max(params.min_size, finer_to_confirm * fem::error::element_size(own, e)));
+  for (double& size : least) size = std::max(params.min_size, without_noise(size));
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     const double finer =
         std::min(fem::error::element_size(own, e) / least[e], 1.0 / options.least_factor);  // graded beyond that
