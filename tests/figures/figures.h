@@ -17,6 +17,7 @@ struct Figure {
   std::string name;  ///< Of the file, without ending.
   base::Result<scene::Picture> (*make)();
   double width = 720.0;  ///< Of the page, points.
+  bool pixels = false;   ///< A PNG always: so many triangles are too much for a page to load.
 };
 
 std::vector<Figure> geom_figures();
@@ -29,6 +30,8 @@ std::vector<Figure> quality_figures();
 std::vector<Figure> surf_figures();
 std::vector<Figure> trim_figures();
 std::vector<Figure> paper_figures();
+std::vector<Figure> import_figures();
+std::vector<Figure> free_border_figures();
 
 /// One surface from the usual sides (space_figures.cpp).
 base::Result<void> write_projection(const std::filesystem::path& path);

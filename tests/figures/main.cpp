@@ -1,5 +1,6 @@
-// figures FOLDER [svg|png]: writes every figure of docs/algorithms, and the pictures of the two bundled examples that
-// the README shows. To be run in the top folder of the sources, where resources/examples are.
+// figures FOLDER [svg|png [BEGINNING]]: writes every figure of docs/algorithms, and the pictures of the two bundled
+// examples that the README shows; or those whose names begin so. To be run in the top folder of the sources, where
+// resources/examples are.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -21,6 +22,7 @@ using Folder = std::filesystem::path;
 base::Result<void> write_figure(const Figure& figure, const Folder& folder, const std::string& ending) {
   DOBRA_TRY(const scene::Picture picture, figure.make());
   const scene::PageSize page = scene::suggested_page(picture, figure.width, render::cairo_text_measure());
+  if (figure.pixels) return render::write_png(picture, folder / (figure.name + ".png"), page, 2.0);
   return render::write_picture(picture, folder / (figure.name + "." + ending), page);
 }
 
@@ -39,17 +41,27 @@ int failures(const std::string& name, const base::Result<void>& written) {
   return 1;
 }
 
-int write_all(const Folder& folder, const std::string& ending) {
+int write_all(const Folder& folder, const std::string& ending, const std::string& beginning) {
   int failed = 0;
-  for (const auto& family : {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(),
-                             mesh_figures(), quality_figures(), surf_figures(), trim_figures(), paper_figures()}) {
-    for (const Figure& figure : family) failed += failures(figure.name, write_figure(figure, folder, ending));
+  const auto asked = [&](const std::string& name) { return name.starts_with(beginning); };
+  for (const auto& family :
+       {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(), mesh_figures(),
+        quality_figures(), surf_figures(), trim_figures(), paper_figures(), import_figures(), free_border_figures()}) {
+    for (const Figure& figure : family) {
+      if (asked(figure.name)) failed += failures(figure.name, write_figure(figure, folder, ending));
+    }
   }
-  failed += failures("projection", write_projection(folder / ("projection." + ending)));
+  if (asked("projection")) failed += failures("projection", write_projection(folder / ("projection." + ending)));
   const Folder examples = "resources/examples";
-  failed += failures("fold", write_example(recon::core::program(), examples / "recon/fold.toml", folder / "fold.png"));
-  failed += failures("plate_with_hole", write_example(quebra::core::program(), examples / "quebra/plate_with_hole.toml",
-                                                      folder / "plate_with_hole.png"));
+  if (asked("fold")) {
+    failed +=
+        failures("fold", write_example(recon::core::program(), examples / "recon/fold.toml", folder / "fold.png"));
+  }
+  if (asked("plate_with_hole")) {
+    failed +=
+        failures("plate_with_hole", write_example(quebra::core::program(), examples / "quebra/plate_with_hole.toml",
+                                                  folder / "plate_with_hole.png"));
+  }
   return failed;
 }
 
@@ -57,9 +69,9 @@ int write_all(const Folder& folder, const std::string& ending) {
 }  // namespace dobra::figures
 
 int main(int argc, char** argv) {
-  const std::string ending = argc == 3 ? argv[2] : "svg";
-  if (argc < 2 || argc > 3 || (ending != "svg" && ending != "png")) {
-    fmt::print(stderr, "usage: figures FOLDER [svg|png]\n");
+  const std::string ending = argc >= 3 ? argv[2] : "svg";
+  if (argc < 2 || argc > 4 || (ending != "svg" && ending != "png")) {
+    fmt::print(stderr, "usage: figures FOLDER [svg|png [BEGINNING]]\n");
     return 2;
   }
   std::error_code error;
@@ -68,5 +80,5 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "figures: cannot make the folder {}: {}\n", argv[1], error.message());
     return 4;
   }
-  return dobra::figures::write_all(argv[1], ending) == 0 ? 0 : 4;
+  return dobra::figures::write_all(argv[1], ending, argc == 4 ? argv[3] : "") == 0 ? 0 : 4;
 }

@@ -17,11 +17,22 @@ using surf::mesh::ChartInput;
 using surf::paper::ChartQuadtree;
 using surf::paper::PaperMesher;
 
-const scene::Axes no_axes{"", "", scene::AxisScale::Diagram};
+const scene::Axes no_axes{"", "", scene::AxisScale::None};
 
 /// From the south-west, 30 degrees above the plane.
 Point from_south_west(Point3 p) {
-  return {(p.x - p.y) * std::sqrt(0.5), 0.9 * p.z + (p.x + p.y) * std::sqrt(1.0 / 8.0)};
+  return {(p.x - p.y) * std::sqrt(0.5), std::sqrt(0.75) * p.z + (p.x + p.y) * std::sqrt(1.0 / 8.0)};
+}
+/// How far away it is from there.
+double depth_of(Point3 p) { return (p.x + p.y) * std::sqrt(3.0 / 8.0) - 0.5 * p.z; }
+
+/// The chart of Coons's patch, which is as wide as 1, beside the patch, which is as wide as 10.
+constexpr double beside = 10.0;
+Point enlarged(Point uv) { return {beside * uv.x, beside * uv.y}; }
+std::vector<Point> enlarged(const std::vector<Point>& places) {
+  std::vector<Point> all;
+  for (const Point uv : places) all.push_back(enlarged(uv));
+  return all;
 }
 
 surf::test::StandIn stand_in(const std::string& name) {
@@ -48,12 +59,12 @@ geom::Polyline on_surface(const surf::Surface& surface, Point a, Point b) {
 }
 
 /// The triangles, what is farther from the eye first, coloured by alpha in space.
-scene::Layer triangles_in(const PaperMesher::View& view, const std::vector<Point>& points) {
+scene::Layer triangles_in(const PaperMesher::View& view, const std::vector<Point>& points, double width = 0.3) {
   std::vector<std::size_t> order(view.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto depth = [&](std::size_t t) {
     double sum = 0.0;
-    for (const std::uint32_t n : view.triangles[t]) sum += view.points[n].x + view.points[n].y;
+    for (const std::uint32_t n : view.triangles[t]) sum += depth_of(view.points[n]);
     return sum;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
@@ -69,11 +80,11 @@ scene::Layer triangles_in(const PaperMesher::View& view, const std::vector<Point
   mesh.triangles = std::move(corners);
   mesh.values = std::move(values);
   mesh.scale = {"alpha", scene::ColorMapName::Quality, 0.0, 1.0};
-  return {{}, {}, stroke({55, 71, 79, 120}, 0.3), std::move(mesh), true, InLegend::No};
+  return {{}, {}, stroke({55, 71, 79, 120}, width), std::move(mesh), true, InLegend::No};
 }
 
 scene::Panel in_chart(std::string title, const PaperMesher::View& view) {
-  return panel(std::move(title), {triangles_in(view, view.places)}, 0.02, no_axes);
+  return panel(std::move(title), {triangles_in(view, enlarged(view.places))}, 0.2, no_axes);
 }
 scene::Panel in_space(std::string title, const PaperMesher::View& view) {
   std::vector<Point> points;
@@ -94,7 +105,7 @@ base::Result<scene::Picture> paper_quadtree() {
   std::vector<geom::Polyline> cells, bent;
   for (const auto leaf : tree.leaves()) {
     const geom::Box box = tree.box(leaf);
-    cells.push_back(outline(box));
+    cells.push_back(outline({enlarged(box.low), enlarged(box.high)}));
     const Point a = box.low, b{box.high.x, box.low.y}, c = box.high, d{box.low.x, box.high.y};
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
       bent.push_back(on_surface(input.surface, from, to));
@@ -106,9 +117,10 @@ base::Result<scene::Picture> paper_quadtree() {
   picture.panels.push_back(panel("on the surface",
                                  {lines({}, stroke(grey, 0.5), std::move(bent)), markers({}, dots(blue, 3), nodes)},
                                  0.5, no_axes));
-  picture.panels.push_back(panel(
-      "in the chart", {lines({}, stroke(grey, 0.6), std::move(cells)), markers({}, dots(blue, 3), input.chart.points)},
-      0.02, no_axes));
+  picture.panels.push_back(
+      panel("in the chart",
+            {lines({}, stroke(grey, 0.6), std::move(cells)), markers({}, dots(blue, 3), enlarged(input.chart.points))},
+            0.5, no_axes));
   return picture;
 }
 
@@ -125,7 +137,7 @@ base::Result<scene::Picture> paper_front() {
     scene::Panel made = in_chart("after " + std::to_string(level) + (level == 1 ? " level" : " levels"), view);
     std::vector<geom::Polyline> front;
     for (const auto& side : view.front)
-      front.push_back(chain({view.places[side.nodes[0]], view.places[side.nodes[1]]}));
+      front.push_back(chain({enlarged(view.places[side.nodes[0]]), enlarged(view.places[side.nodes[1]])}));
     scene::Layer sides = lines({}, stroke(blue, 1.5), std::move(front));
     sides.key = "front";
     made.layers.push_back(std::move(sides));
@@ -144,10 +156,52 @@ base::Result<scene::Picture> paper_smooth() {
   while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(1));
   const auto after = mesher.view();
   scene::Picture picture;
-  picture.panels.push_back(in_chart("before, in the chart", before));
+  picture.panels.push_back(in_chart("before", before));
+  picture.panels.push_back(in_space("before", before));
   picture.panels.push_back(in_chart("after five passes", after));
-  picture.panels.push_back(in_space("before, in space", before));
   picture.panels.push_back(in_space("after five passes", after));
+  return picture;
+}
+
+/// The whole mesh of a stand-in as seen from the south-west, as large as all others.
+base::Result<scene::Panel> meshed(const std::string& name, double turn) {
+  surf::test::StandIn s = stand_in(name);
+  s.turn = std::max(s.turn, turn);
+  DOBRA_TRY(const surf::mesh::Division division, divided(s, surf::mesh::DivisionKind::Halving));
+  DOBRA_TRY(PaperMesher mesher, started(s, division.faces[0]));
+  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(10'000));
+  const PaperMesher::View view = mesher.view();
+  std::vector<Point> points;
+  for (const Point3 p : view.points) points.push_back(from_south_west(p));
+  const geom::Box box = geom::box_of(points);
+  const double scale = 1.0 / std::max(box.width(), box.height());
+  for (Point& p : points) p = {scale * (p.x - box.low.x), scale * (p.y - box.low.y)};
+  return panel(name, {triangles_in(view, points, 0.15)}, 0.02, no_axes);
+}
+
+base::Result<scene::Picture> meshed(const std::vector<std::string>& names, double turn = 0.0) {
+  scene::Picture picture;
+  for (const std::string& name : names) {
+    DOBRA_TRY(scene::Panel made, meshed(name, turn));
+    picture.panels.push_back(std::move(made));
+  }
+  return picture;
+}
+base::Result<scene::Picture> paper_coons() { return meshed({"6a", "6b", "6c"}); }
+base::Result<scene::Picture> paper_curvatures() { return meshed({"7a", "7b", "7c", "7d", "7e", "7f"}, 10.0); }
+base::Result<scene::Picture> paper_trims() { return meshed({"8a", "8b", "8c", "8d", "8e", "8f"}); }
+
+/// Alpha of a triangle over the base 1 with equal legs, by its height.
+base::Result<scene::Picture> paper_alpha() {
+  std::vector<Point> curve;
+  for (int i = 10; i <= 200; ++i) {
+    const double height = 0.01 * i;
+    curve.push_back({height, mesh::alpha_in_space({0, 0, 0}, {1, 0, 0}, {0.5, height, 0})});
+  }
+  scene::Layer good = lines("alpha 0.9", stroke(grey, 1.0, scene::Dash::Dashed), {chain({{0.1, 0.9}, {2.0, 0.9}})});
+  scene::Picture picture;
+  picture.panels.push_back(panel("", {lines("alpha", stroke(blue, 1.5), {chain(std::move(curve))}), std::move(good)},
+                                 0.05, {"H / L", "alpha", scene::AxisScale::Diagram}));
   return picture;
 }
 
@@ -177,7 +231,11 @@ std::vector<Figure> paper_figures() {
   return {{"surface_border", surface_border},
           {"paper_quadtree", paper_quadtree},
           {"paper_front", paper_front},
-          {"paper_smooth", paper_smooth}};
+          {"paper_smooth", paper_smooth},
+          {"paper_alpha", paper_alpha, 500.0},
+          {"paper_coons", paper_coons, 900.0, true},
+          {"paper_curvatures", paper_curvatures, 900.0, true},
+          {"paper_trims", paper_trims, 900.0, true}};
 }
 
 }  // namespace dobra::figures
