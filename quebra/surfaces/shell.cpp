@@ -8,6 +8,7 @@
 #include <set>
 
 #include "quebra/model/mesh_files.h"
+#include "quebra/surfaces/shell_turns.h"
 #include "shared/base/text.h"
 #include "shared/fem/element.h"
 #include "shared/io/file.h"
@@ -219,9 +220,11 @@ Result<std::string> shell_inp(const SurfaceElements& elements, const Shell& shel
         tag, in(section.young, "Pa"), io::meshes::twenty_columns(section.poisson), in(section.thickness, "m"));
   }
   text += "*STEP\n*STATIC\n*BOUNDARY\n";
+  const auto turns = turns_to_hold(elements, shell);
   for (const auto& [node, values] : shell.held) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i]) text += fmt::format("{0}, {1}, {1}, {2}\n", node + 1, i + 1, in(*values[i], i < 3 ? "m" : ""));
+      if (values[i] && (i < 3 || turns.at(node)[i - 3]))
+        text += fmt::format("{0}, {1}, {1}, {2}\n", node + 1, i + 1, in(*values[i], i < 3 ? "m" : ""));
     }
   }
   if (!shell.forces.empty()) text += "*CLOAD\n";

@@ -1,5 +1,5 @@
 #pragma once
-// What `recon restore` prints with --block and --jigsaw. Page: docs/user/recon.md
+// What `recon restore` prints with --block and --jigsaw. Page: docs/user/restore.md
 
 #include "recon/cli/ledger_json.h"
 

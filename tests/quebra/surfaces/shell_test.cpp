@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "quebra/surfaces/mesh_surfaces.h"
@@ -130,6 +132,8 @@ TEST(Shell, WhatIsMissingIsNamed) {
               HasSubstr("different displacements of one node"));
 }
 
+bool holds(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
 TEST(Shell, DecksHoldSectionsAndElementsOfShells) {
   const Meshed all = meshed(roof, 6.0, true);
   const auto shell = make_shell(all.mesh.elements, roof_params());
@@ -138,8 +142,83 @@ TEST(Shell, DecksHoldSectionsAndElementsOfShells) {
   EXPECT_THAT(inp, testing::AllOf(HasSubstr("TYPE=S6"), HasSubstr("*SHELL SECTION, ELSET=REGION_"), HasSubstr("0.25")));
   const std::string bdf = shell_bdf(all.mesh.elements, *shell, {}).value();
   EXPECT_THAT(bdf, testing::AllOf(HasSubstr("CTRIA6"), HasSubstr("PSHELL*"), HasSubstr("MAT1*"), HasSubstr("SOL 101")));
-  const std::string quads = shell_inp(meshed(roof, 6.0, false, true).mesh.elements, *shell, {}).value();
-  EXPECT_THAT(quads, testing::AllOf(HasSubstr("TYPE=S4"), HasSubstr("TYPE=S3")));
+  // Elements of first order, quadrilaterals, and those of second order.
+  const auto kinds = [&](bool second, bool quads) {
+    const Meshed own = meshed(roof, 6.0, second, quads);
+    const auto made = make_shell(own.mesh.elements, roof_params());
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+    return std::pair{shell_inp(own.mesh.elements, *made, {}).value(), shell_bdf(own.mesh.elements, *made, {}).value()};
+  };
+  EXPECT_TRUE(holds(kinds(false, false).first, "TYPE=S3,"));
+  EXPECT_TRUE(holds(kinds(false, false).second, "CTRIA3"));
+  EXPECT_TRUE(holds(kinds(false, true).first, "TYPE=S4,"));
+  EXPECT_TRUE(holds(kinds(false, true).second, "CQUAD4"));
+  EXPECT_TRUE(holds(kinds(true, true).first, "TYPE=S8,"));
+  EXPECT_TRUE(holds(kinds(true, true).second, "CQUAD8"));
+}
+
+/// Of the .inp, for each node of a set: the rotations held, as a string of the axes' numbers.
+std::set<std::string> turns_in(const std::string& inp, const std::vector<dobra::mesh::NodeId>& nodes) {
+  std::map<std::size_t, std::string> all;
+  std::istringstream in(inp.substr(inp.find("*BOUNDARY")));
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line) && line[0] != '*') {
+    const std::size_t node = std::stoul(line);
+    const char dof = line[line.find(", ") + 2];
+    if (dof >= '4') all[node] += dof;
+  }
+  std::set<std::string> found;
+  for (const auto node : nodes) found.insert(all[node.index() + 1]);
+  return found;
+}
+
+TEST(Shell, CalculixIsGivenNoTurnTwiceNorOneAboutTheNormal) {
+  const Meshed all =
+      meshed("[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 2\nu = [20, 70]\nv = [0, 3]\n", 0.5, true);
+  const base::Angle none = base::Angle::from_degrees(0.0);
+  const auto& sets = all.mesh.elements.mesh.node_sets;
+  ShellParams params;
+  params.materials = {{.young = 1.0, .thickness = 0.1}};
+  // The plane of symmetry z = 0: turns about x and y are both about the tangent of the edge.
+  params.supports = {{.where = "c_bottom", .z = 0.0, .turn_x = none, .turn_y = none},
+                     {.where = "c_top", .x = 0.0, .turn_x = none, .turn_y = none, .turn_z = none}};
+  auto shell = make_shell(all.mesh.elements, params);
+  ASSERT_TRUE(shell.ok()) << to_string(shell.error());
+  std::string inp = shell_inp(all.mesh.elements, *shell, {}).value();
+  EXPECT_EQ(turns_in(inp, sets.at("c_bottom")), (std::set<std::string>{"4", "5"}));
+  EXPECT_EQ(turns_in(inp, sets.at("c_top")), (std::set<std::string>{"46", "56"}));  // clamped
+  // A turn that is not nought is written as it is asked for.
+  params.supports = {{.where = "c_bottom", .z = 0.0, .turn_x = base::Angle::from_degrees(1.0), .turn_y = none}};
+  shell = make_shell(all.mesh.elements, params);
+  ASSERT_TRUE(shell.ok());
+  inp = shell_inp(all.mesh.elements, *shell, {}).value();
+  EXPECT_EQ(turns_in(inp, sets.at("c_bottom")), (std::set<std::string>{"45"}));
+}
+
+TEST(Shell, TurnsOfAPlateAndOfAKinkAreThoseThatAreAskedFor) {
+  const base::Angle none = base::Angle::from_degrees(0.0);
+  const Meshed plate = meshed(test::plate, 3.0, false);
+  ShellParams params;
+  params.materials = {{.young = 1.0, .thickness = 0.1}};
+  params.supports = {{.where = "plate_left", .x = 0.0, .turn_x = none, .turn_y = none},
+                     {.where = "plate_right", .x = 0.0, .turn_z = none}};
+  auto shell = make_shell(plate.mesh.elements, params);
+  ASSERT_TRUE(shell.ok()) << to_string(shell.error());
+  const std::string inp = shell_inp(plate.mesh.elements, *shell, {}).value();
+  const auto& sets = plate.mesh.elements.mesh.node_sets;
+  EXPECT_EQ(turns_in(inp, sets.at("plate_left")), (std::set<std::string>{"45"}));
+  EXPECT_EQ(turns_in(inp, sets.at("plate_right")), (std::set<std::string>{""}));  // about the normal
+  const Meshed roof = meshed(
+      "[[input.surface]]\nname = \"a\"\nkind = \"plane\"\nu = [0, 1]\nv = [0, 2]\n"
+      "[[input.surface]]\nname = \"b\"\nkind = \"plane\"\naxis = [1, 0, 0]\nx_axis = [0, 1, 0]\nu = [0, 2]\nv = [0, "
+      "1]\n",
+      0.5, false);
+  params.supports = {{.where = "a_left", .x = 0.0, .turn_x = none, .turn_y = none, .turn_z = none}};
+  shell = make_shell(roof.mesh.elements, params);
+  ASSERT_TRUE(shell.ok()) << to_string(shell.error());
+  EXPECT_EQ(turns_in(shell_inp(roof.mesh.elements, *shell, {}).value(), roof.mesh.elements.mesh.node_sets.at("a_left")),
+            (std::set<std::string>{"456"}));
 }
 
 TEST(Shell, CalculixFindsTheDeflectionOfTheRoofOfScordelisAndLo) {
