@@ -47,7 +47,8 @@ struct MeshRules {
         {.title = "Size by formula",
          .help = "Of x and y: \"0.1 + 0.05 * hypot(x, y)\"; the least of all sizes counts. On surfaces of x, y, z and, "
                  "where one is meshed, of the u and v of its chart.",
-         .unit = "m"});
+         .unit = "m",
+         .of_space = true});
     d.file("background", of<P>(&MeshRules::background),
            {.title = "Background mesh",
             .help = "Its elements' sizes, or those of a field of it, are wanted.",

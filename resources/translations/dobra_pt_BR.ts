@@ -3557,7 +3557,7 @@
     </message>
     <message>
         <source>Click a line, or drag a box round lines; drag a vertex to move it, Delete removes it</source>
-        <translation>Clique numa linha ou arraste uma caixa; arraste um vértice para movê-lo; Delete remove</translation>
+        <translation>Clique numa linha ou arraste uma caixa; mova um vértice; Delete remove</translation>
     </message>
     <message>
         <source>Move vertex</source>

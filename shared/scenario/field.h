@@ -67,6 +67,7 @@ struct FieldOptions {
   std::optional<double> other_than = std::nullopt;
   std::vector<FileKind> files = {};     ///< File only: what is read; empty: not said.
   std::vector<std::string> words = {};  ///< Text only: what it may be, where that is a list; empty: not said.
+  bool of_space = false;                ///< Text only: a formula that knows z, u and v beside x and y.
   /// Text and Texts: what of the model it names, "fault" (Program::names_of); Number: which coordinate of a place it
   /// is, "x" or "z"; empty: nothing.
   std::string names = "";

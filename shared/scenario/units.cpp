@@ -133,8 +133,9 @@ std::string factor_text(const Ratio& ratio) {
 
 /// f(x, y) of coordinates and with a value in `units` as one of coordinates and with a value in SI. What cannot be read
 /// stays as it is, for the one who reads it to tell.
-std::string formula_in_si(const std::string& text, std::string_view si, const UnitSystem& units) {
-  static const std::vector<std::string> names{"x", "y", "z", "u", "v", "nx", "ny"};
+std::string formula_in_si(const std::string& text, std::string_view si, bool of_space, const UnitSystem& units) {
+  std::vector<std::string> names{"x", "y", "nx", "ny"};
+  if (of_space) names.insert(names.end(), {"z", "u", "v"});
   if (text.empty() || !base::Formula::make(text, names)) return text;
   const std::string coordinate = factor_text(units.in_si("m").inverse());
   std::string made;
@@ -282,7 +283,7 @@ Table in_si(const Table& table, const std::vector<Field>& fields, const UnitSyst
     const std::string unit = si_unit(field, table, fields);
     if (derived(unit) == nullptr) continue;
     if (field.kind == Kind::Text)
-      made.set(field.key, formula_in_si(std::get<std::string>(*value), unit, units));
+      made.set(field.key, formula_in_si(std::get<std::string>(*value), unit, field.options.of_space, units));
     else
       made.set(field.key, std::visit(Times{units.in_si(unit)}, *value));
   }

@@ -176,7 +176,7 @@ template <class Space>
 base::Result<void> GapFiller<Space>::triangulate(const base::Progress& progress) {
   for (int layers = 1;; layers *= 2) {
     collect();
-    if (sides_.empty()) return {};
+    if (sides_.empty()) return enter_space();
     auto gaps = build_domain(input_, delaunay::Outside::KeepHull, progress);
     if (!gaps && gaps.error().code == base::ErrorCode::Cancelled) return gaps.error();
     std::vector<std::uint32_t> wrong;

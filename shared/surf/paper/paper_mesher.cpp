@@ -118,7 +118,7 @@ struct PaperMesher::State {
   State(const mesh::ChartInput& given, const PaperOptions& wanted, ChartQuadtree quadtree)
       : input(given), options(wanted), tree(std::move(quadtree)), front(tree) {}
 
-  /// What is done while no level makes progress (E-23).
+  /// What is done while no level makes progress.
   enum class Ease : std::uint8_t { None, NoDistance, Closing };
 
   mesh::ChartInput input;
@@ -351,7 +351,7 @@ void PaperMesher::State::make(SegmentIndex index, const Corner& corner, Rule rul
   progressed = true;
 }
 
-/// Step xvi, and what is done when a whole level made nothing (E-23).
+/// Step xvi, and what is done when a whole level made nothing.
 Result<void> PaperMesher::State::next_level() {
   if (front.alive() == 0) {
     finish_front();

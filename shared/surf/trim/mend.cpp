@@ -127,7 +127,7 @@ class Mender {
   /// Where nothing tells what lies outside: by the turn of loops, the longer part.
   void find_turns() {
     for (std::size_t a = 0; a < left_.size(); ++a) {
-      if (loops_along(a) % 2 == 0) continue;
+      if (loops_along(a) % 2 == 0 || sewn_[a] != 0) continue;
       const double length =
           geom::distance(s_.arcs.vertices[s_.arcs.arcs[a].start], s_.arcs.vertices[s_.arcs.arcs[a].end]) + 1e-3;
       for (const Along& each : s_.arcs.arcs[a].along) {
@@ -142,7 +142,8 @@ class Mender {
     const auto [set, other] = sides_.find(f);
     const auto [outer, outer_other] = sides_.find(Subdivision::unbounded().index());
     if (set == outer) return other != outer_other;
-    return (votes_[set] > 0.0) != other;
+    const auto found = votes_.find(set);
+    return found == votes_.end() || (found->second > 0.0) != other;  // no loop but along seams: all is meant
   }
   /// Each loop has what is meant on its left all along, or (to be turned) on its right.
   base::Result<void> check_turns(const Parts& inside) {

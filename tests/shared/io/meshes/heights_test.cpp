@@ -39,17 +39,18 @@ std::string written(const std::string& ending, const std::vector<double>& height
 }
 
 TEST(Heights, StandInEveryFormatThatHasThem) {
-  EXPECT_THAT(written(".vtu", rising), HasSubstr("2 0.5 2.125"));
-  EXPECT_THAT(written(".msh", rising), testing::AllOf(HasSubstr("2 0.5 2.125\n"), HasSubstr("0 0 0.25 1 1 1.25 1 ")));
-  EXPECT_THAT(written(".msh2", rising), HasSubstr("5 2 0.5 2.125\n"));
+  EXPECT_THAT(written(".vtu", rising), HasSubstr("2.0 0.5 2.125"));
+  EXPECT_THAT(written(".msh", rising),
+              testing::AllOf(HasSubstr("2.0 0.5 2.125\n"), HasSubstr("0.0 0.0 0.25 1.0 1.0 1.25 1 ")));
+  EXPECT_THAT(written(".msh2", rising), HasSubstr("5 2.0 0.5 2.125\n"));
   EXPECT_THAT(written(".inp", rising),
-              testing::AllOf(HasSubstr("5, 2, 0.5, 2.125"), HasSubstr("TYPE=S4"), HasSubstr("TYPE=S3")));
+              testing::AllOf(HasSubstr("5, 2.0, 0.5, 2.125"), HasSubstr("TYPE=S4"), HasSubstr("TYPE=S3")));
   EXPECT_THAT(written(".bdf", rising), HasSubstr("GRID    5               2.      .5      2.125"));
-  EXPECT_THAT(written(".obj", rising), HasSubstr("v 2 0.5 2.125"));
-  EXPECT_THAT(written(".ply", rising), HasSubstr("2 0.5 2.125"));
-  EXPECT_THAT(written(".off", rising), HasSubstr("2 0.5 2.125"));
+  EXPECT_THAT(written(".obj", rising), HasSubstr("v 2.0 0.5 2.125"));
+  EXPECT_THAT(written(".ply", rising), HasSubstr("2.0 0.5 2.125"));
+  EXPECT_THAT(written(".off", rising), HasSubstr("2.0 0.5 2.125"));
   const std::string stl = written(".stl", rising);
-  EXPECT_THAT(stl, HasSubstr("vertex 2 0.5 2.125"));
+  EXPECT_THAT(stl, HasSubstr("vertex 2.0 0.5 2.125"));
   std::size_t facets = 0;
   for (std::size_t at = stl.find("endfacet"); at != std::string::npos; at = stl.find("endfacet", at + 1)) ++facets;
   EXPECT_EQ(facets, 3U);
