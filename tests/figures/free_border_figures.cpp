@@ -50,7 +50,9 @@ base::Result<scene::Picture> free_borders() {
   using std::numbers::pi;
   DOBRA_TRY(const surf::Surface sphere, surf::Surface::sphere({}, 5.0, {{0.0, -0.5 * pi}, {2.0 * pi, 0.5 * pi}}));
   surf::trim::SharedNumbers numbers;
-  DOBRA_TRY(const auto opened, surf::trim::open({sphere, {shapes::rectangle(sphere.chart())}}, numbers));
+  // A hole that the equator passes near its edge, so that the cut leaves narrow corners beside it.
+  const surf::trim::ChartLoop hole = shapes::ellipse_hole({1.5 * pi, 0.21}, 0.45, 0.25);
+  DOBRA_TRY(const auto opened, surf::trim::open({sphere, {shapes::rectangle(sphere.chart()), hole}}, numbers));
   std::vector<surf::trim::TrimmedSurface> charts;
   for (const auto& part : opened) charts.push_back(part.face);
   const surf::mesh::SizeOptions sizes{.largest = 1.1, .turn = 20.0};

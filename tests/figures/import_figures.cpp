@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shared/io/brep/faces.h"
 #include "shared/io/faces/geometry.h"
 #include "shared/io/faces/import.h"
 #include "tests/figures/figures.h"

@@ -22,7 +22,7 @@ using Folder = std::filesystem::path;
 base::Result<void> write_figure(const Figure& figure, const Folder& folder, const std::string& ending) {
   DOBRA_TRY(const scene::Picture picture, figure.make());
   const scene::PageSize page = scene::suggested_page(picture, figure.width, render::cairo_text_measure());
-  if (figure.pixels) return render::write_png(picture, folder / (figure.name + ".png"), page, 2.0);
+  if (figure.pixels) return render::write_png(picture, folder / (figure.name + ".png"), page, 1.5);
   return render::write_picture(picture, folder / (figure.name + "." + ending), page);
 }
 

@@ -1,6 +1,7 @@
 // Figures of paper_mesher.md and surface_border.md.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "shared/mesh/quality.h"
@@ -80,7 +81,7 @@ scene::Layer triangles_in(const PaperMesher::View& view, const std::vector<Point
   mesh.triangles = std::move(corners);
   mesh.values = std::move(values);
   mesh.scale = {"alpha", scene::ColorMapName::Quality, 0.0, 1.0};
-  return {{}, {}, stroke({55, 71, 79, 120}, width), std::move(mesh), true, InLegend::No};
+  return {{}, {}, stroke({38, 50, 56, 170}, width), std::move(mesh), true, InLegend::No};
 }
 
 scene::Panel in_chart(std::string title, const PaperMesher::View& view) {
@@ -163,28 +164,45 @@ base::Result<scene::Picture> paper_smooth() {
   return picture;
 }
 
-/// The whole mesh of a stand-in as seen from the south-west, as large as all others.
-base::Result<scene::Panel> meshed(const std::string& name, double turn) {
+/// So far is a stand-in turned about the vertical, degrees, for what matters to be in front.
+double turned_by(const std::string& name) { return name == "7b" ? 20.0 : name == "8d" ? 115.0 : 0.0; }
+Point3 turned(Point3 p, double degrees) {
+  const double c = std::cos(degrees * std::numbers::pi / 180.0), s = std::sin(degrees * std::numbers::pi / 180.0);
+  return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+}
+
+/// The whole mesh of a stand-in as seen from the south-west, in a square of 1 whose middle is at a place.
+base::Result<scene::Layer> meshed(const std::string& name, double turn, Point place) {
   surf::test::StandIn s = stand_in(name);
   s.turn = std::max(s.turn, turn);
   DOBRA_TRY(const surf::mesh::Division division, divided(s, surf::mesh::DivisionKind::Halving));
   DOBRA_TRY(PaperMesher mesher, started(s, division.faces[0]));
   while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(10'000));
-  const PaperMesher::View view = mesher.view();
+  PaperMesher::View view = mesher.view();
+  for (Point3& p : view.points) p = turned(p, turned_by(name));
   std::vector<Point> points;
   for (const Point3 p : view.points) points.push_back(from_south_west(p));
   const geom::Box box = geom::box_of(points);
   const double scale = 1.0 / std::max(box.width(), box.height());
-  for (Point& p : points) p = {scale * (p.x - box.low.x), scale * (p.y - box.low.y)};
-  return panel(name, {triangles_in(view, points, 0.15)}, 0.02, no_axes);
+  const Point middle = box.centre();
+  for (Point& p : points) p = {place.x + scale * (p.x - middle.x), place.y + scale * (p.y - middle.y)};
+  return triangles_in(view, points, 0.2);
 }
 
+/// Three in a row.
 base::Result<scene::Picture> meshed(const std::vector<std::string>& names, double turn = 0.0) {
-  scene::Picture picture;
-  for (const std::string& name : names) {
-    DOBRA_TRY(scene::Panel made, meshed(name, turn));
-    picture.panels.push_back(std::move(made));
+  constexpr std::size_t columns = 3;
+  std::vector<scene::Layer> layers;
+  std::vector<scene::Label> titles;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Point place{1.2 * static_cast<double>(i % columns), -1.15 * static_cast<double>(i / columns)};
+    DOBRA_TRY(scene::Layer made, meshed(names[i], turn, place));
+    layers.push_back(std::move(made));
+    titles.push_back({.at = {place.x - 0.52, place.y + 0.48}, .text = names[i]});
   }
+  layers.push_back(labels(ink, std::move(titles), 12.0));
+  scene::Picture picture;
+  picture.panels.push_back(panel("", std::move(layers), 0.05, no_axes));
   return picture;
 }
 base::Result<scene::Picture> paper_coons() { return meshed({"6a", "6b", "6c"}); }

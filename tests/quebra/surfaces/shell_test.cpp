@@ -157,19 +157,22 @@ TEST(Shell, DecksHoldSectionsAndElementsOfShells) {
   EXPECT_TRUE(holds(kinds(true, true).second, "CQUAD8"));
 }
 
-/// Of the .inp, for each node of a set: the rotations held, as a string of the axes' numbers.
-std::set<std::string> turns_in(const std::string& inp, const std::vector<dobra::mesh::NodeId>& nodes) {
-  std::map<std::size_t, std::string> all;
+/// Of the .inp, for the nodes of a set of sides: the rotations held, as strings of the numbers of the axes.
+std::set<std::string> turns_in(const std::string& inp, const Meshed& all, const std::string& set) {
+  std::map<std::size_t, std::string> held;
   std::istringstream in(inp.substr(inp.find("*BOUNDARY")));
   std::string line;
   std::getline(in, line);
   while (std::getline(in, line) && line[0] != '*') {
-    const std::size_t node = std::stoul(line);
-    const char dof = line[line.find(", ") + 2];
-    if (dof >= '4') all[node] += dof;
+    const char axis = line[line.find(", ") + 2];
+    if (axis >= '4') held[std::stoul(line)] += axis;
   }
   std::set<std::string> found;
-  for (const auto node : nodes) found.insert(all[node.index() + 1]);
+  for (const auto& side : all.mesh.elements.mesh.side_sets.at(set)) {
+    for (const auto node : dobra::mesh::side_nodes(all.mesh.elements.mesh, side)) {
+      if (node.valid()) found.insert(held[node.index() + 1]);
+    }
+  }
   return found;
 }
 
@@ -177,7 +180,6 @@ TEST(Shell, CalculixIsGivenNoTurnTwiceNorOneAboutTheNormal) {
   const Meshed all =
       meshed("[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 2\nu = [20, 70]\nv = [0, 3]\n", 0.5, true);
   const base::Angle none = base::Angle::from_degrees(0.0);
-  const auto& sets = all.mesh.elements.mesh.node_sets;
   ShellParams params;
   params.materials = {{.young = 1.0, .thickness = 0.1}};
   // The plane of symmetry z = 0: turns about x and y are both about the tangent of the edge.
@@ -186,14 +188,14 @@ TEST(Shell, CalculixIsGivenNoTurnTwiceNorOneAboutTheNormal) {
   auto shell = make_shell(all.mesh.elements, params);
   ASSERT_TRUE(shell.ok()) << to_string(shell.error());
   std::string inp = shell_inp(all.mesh.elements, *shell, {}).value();
-  EXPECT_EQ(turns_in(inp, sets.at("c_bottom")), (std::set<std::string>{"4", "5"}));
-  EXPECT_EQ(turns_in(inp, sets.at("c_top")), (std::set<std::string>{"46", "56"}));  // clamped
+  EXPECT_EQ(turns_in(inp, all, "c_bottom"), (std::set<std::string>{"4", "5"}));
+  EXPECT_EQ(turns_in(inp, all, "c_top"), (std::set<std::string>{"46", "56"}));  // clamped
   // A turn that is not nought is written as it is asked for.
   params.supports = {{.where = "c_bottom", .z = 0.0, .turn_x = base::Angle::from_degrees(1.0), .turn_y = none}};
   shell = make_shell(all.mesh.elements, params);
   ASSERT_TRUE(shell.ok());
   inp = shell_inp(all.mesh.elements, *shell, {}).value();
-  EXPECT_EQ(turns_in(inp, sets.at("c_bottom")), (std::set<std::string>{"45"}));
+  EXPECT_EQ(turns_in(inp, all, "c_bottom"), (std::set<std::string>{"45"}));
 }
 
 TEST(Shell, TurnsOfAPlateAndOfAKinkAreThoseThatAreAskedFor) {
@@ -206,9 +208,8 @@ TEST(Shell, TurnsOfAPlateAndOfAKinkAreThoseThatAreAskedFor) {
   auto shell = make_shell(plate.mesh.elements, params);
   ASSERT_TRUE(shell.ok()) << to_string(shell.error());
   const std::string inp = shell_inp(plate.mesh.elements, *shell, {}).value();
-  const auto& sets = plate.mesh.elements.mesh.node_sets;
-  EXPECT_EQ(turns_in(inp, sets.at("plate_left")), (std::set<std::string>{"45"}));
-  EXPECT_EQ(turns_in(inp, sets.at("plate_right")), (std::set<std::string>{""}));  // about the normal
+  EXPECT_EQ(turns_in(inp, plate, "plate_left"), (std::set<std::string>{"45"}));
+  EXPECT_EQ(turns_in(inp, plate, "plate_right"), (std::set<std::string>{""}));  // about the normal
   const Meshed roof = meshed(
       "[[input.surface]]\nname = \"a\"\nkind = \"plane\"\nu = [0, 1]\nv = [0, 2]\n"
       "[[input.surface]]\nname = \"b\"\nkind = \"plane\"\naxis = [1, 0, 0]\nx_axis = [0, 1, 0]\nu = [0, 2]\nv = [0, "
@@ -217,7 +218,7 @@ TEST(Shell, TurnsOfAPlateAndOfAKinkAreThoseThatAreAskedFor) {
   params.supports = {{.where = "a_left", .x = 0.0, .turn_x = none, .turn_y = none, .turn_z = none}};
   shell = make_shell(roof.mesh.elements, params);
   ASSERT_TRUE(shell.ok()) << to_string(shell.error());
-  EXPECT_EQ(turns_in(shell_inp(roof.mesh.elements, *shell, {}).value(), roof.mesh.elements.mesh.node_sets.at("a_left")),
+  EXPECT_EQ(turns_in(shell_inp(roof.mesh.elements, *shell, {}).value(), roof, "a_left"),
             (std::set<std::string>{"456"}));
 }
 
