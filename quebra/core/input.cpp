@@ -263,6 +263,25 @@ model::Model model_of(std::vector<dobra::surf::trim::TrimmedSurface> faces, std:
   return model;
 }
 
+/// Whatever lies on surfaces of the scenario and stands there without any.
+Result<void> check_without_surfaces(const InputParams& params, const dobra::scenario::Table& table) {
+  for (const char* const key : {"trim", "part", "surface_point", "space_curve"}) {
+    if (table.find(key) == nullptr) continue;
+    if (!is_brep(params.file))
+      return Error{ErrorCode::BadValue,
+                   fmt::format("`{}` is of surfaces, and there is no [[input.surface]]; for a plane domain there are "
+                               "`curve`, `crack`, `region` and `point`",
+                               key),
+                   table.place(key)};
+    return Error{
+        ErrorCode::BadValue,
+        fmt::format("`{}` is of surfaces of the scenario; the faces of '{}' are meshed as the file bounds them", key,
+                    params.file),
+        table.place(key)};
+  }
+  return {};
+}
+
 /// The faces of a boundary model, whose numbers are in the document's length.
 Result<model::Model> read_faces(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
@@ -309,6 +328,7 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
 Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
   if (!params.surfaces.empty()) return read_surfaces(params, table, context);
+  DOBRA_TRY_VOID(check_without_surfaces(params, table));
   if (is_brep(params.file)) return read_faces(params, table, context);
   DOBRA_TRY(sketch::Sketch sketch, read_drawing(params, table, context));
   const auto append = [](auto& to, auto& from) {

@@ -121,7 +121,11 @@ class SurfaceMaker {
         curves.push_back(known->second);
       }
       auto surface = make_surface(params, curves);
-      if (!surface) return at_line(surface.error(), "surface", i);
+      if (!surface) {
+        Error error = surface.error();
+        if (error.place) error.place->item.clear();  // its kind; its name says more
+        return at_line(error, "surface", i);
+      }
       if (!number_.emplace(params.name, i).second)
         return Error{ErrorCode::BadValue, "two surfaces have this name; names must differ", place("surface", i)};
       surfaces_.push_back(*std::move(surface));

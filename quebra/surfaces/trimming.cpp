@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quebra/surfaces/trim_doubts.h"
 #include "shared/geom/polyline.h"
 #include "shared/geom/predicates.h"
 #include "shared/geom/spatial_index.h"
@@ -21,6 +22,7 @@ using base::Result;
 using geom::Point;
 using geom::Point3;
 using surf::Curve;
+using surf::mesh::Finding;
 using surf::trim::ChartEdge;
 using surf::trim::ChartLine;
 using surf::trim::ChartLoop;
@@ -308,6 +310,12 @@ Result<std::vector<TrimmedSurface>> Trimming::faces(surf::trim::SharedNumbers& n
       if (!edge.name.empty()) continue;
       if (const std::string side = side_of(surface_, edge); !side.empty()) edge.name = name_ + side;
     }
+  }
+  std::vector<DrawnTrim> drawn;
+  for (const Drawn& trim : drawn_) drawn.push_back({trim.role, trim.name, trim.closed, samples(trim.edges)});
+  for (const Finding& doubt : trim_doubts(surface_, drawn, recognised->faces(), face)) {
+    const Error told = as_written({ErrorCode::BadDomain, doubt.message, doubt.place});
+    findings.push_back({doubt.code, doubt.message, *told.place});
   }
   for (const ChartPoint& point : points_) {
     const auto at = recognised->pick(point.at);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -177,11 +178,25 @@ base::Result<void> check_numbers(const Value& value, const Value& written, const
   return {};
 }
 
+/// A text that begins with a number where one is meant: "3 m", "3,5".
+bool has_unit(const Value& written, Kind kind) {
+  const auto* text = std::get_if<std::string>(&written);
+  if (text == nullptr || text->empty()) return false;
+  const bool number = kind == Kind::Number || kind == Kind::Integer || kind == Kind::Degrees;
+  return number && std::isdigit(static_cast<unsigned char>(text->front())) != 0;
+}
+
 base::Result<void> check_value(const Value& written, const Field& field, const std::string& unit,
                                const base::Place& place, const std::string& where) {
   const std::optional<Value> value = as_kind(written, field.kind);
-  if (!value)
+  if (!value) {
+    if (has_unit(written, field.kind)) {
+      return bad_value(fmt::format("'{}' must be {}, found {}: numbers stand without quotes and without units",
+                                   field.key, wanted(field), found(written)),
+                       place);
+    }
     return bad_value(fmt::format("'{}' must be {}, found {}", field.key, wanted(field), found(written)), place);
+  }
   if (field.kind == Kind::Choice) {
     const auto& text = std::get<std::string>(*value);
     if (std::find(field.choices.begin(), field.choices.end(), text) == field.choices.end()) {

@@ -70,6 +70,16 @@ TEST_F(SurfaceCommand, RefusalsEndWithTheirCodeAndStillPrintFindings) {
   EXPECT_EQ(missing["findings"][0]["code"], "file_not_found");
 }
 
+TEST_F(SurfaceCommand, TrimsWithoutASurfaceAreRefusedWithTheirLine) {
+  const std::string lines =
+      "[[input.trim]]\nname = \"h\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [1, 1]\nradius = 1\n";
+  const json alone = told({"mesh", put("alone.toml", head + lines), "--json"}, 3);
+  EXPECT_THAT(alone["findings"][0]["message"].get<std::string>(), HasSubstr("there is no [[input.surface]]"));
+  EXPECT_EQ(alone["findings"][0]["place"]["line"], 3);
+  const json beside = told({"mesh", put("beside.toml", head + "[input]\nfile = \"part.brep\"\n" + lines), "--json"}, 3);
+  EXPECT_THAT(beside["findings"][0]["message"].get<std::string>(), HasSubstr("meshed as the file bounds them"));
+}
+
 TEST_F(SurfaceCommand, SizesTooSmallForMemoryAreRefused) {
   const auto outcome = call({"mesh", put("good.toml", plate), "--size", "1e-9", "--json"});
   EXPECT_TRUE(outcome.code == 3 || outcome.code == 4) << outcome.err;

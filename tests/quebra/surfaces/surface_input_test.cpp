@@ -204,5 +204,95 @@ TEST(SurfaceInput, TrimsThatLeaveTheChartOrStayOpenAreNamedWithTheirPlace) {
               HasSubstr("do not meet"));
 }
 
+std::vector<std::string> codes_of(const std::string& text) {
+  const auto made = surfaces_of(text);
+  EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+  std::vector<std::string> codes;
+  if (made) {
+    for (const auto& finding : made->findings) codes.push_back(finding.code);
+  }
+  return codes;
+}
+using Codes = std::vector<std::string>;
+
+TEST(TrimDoubts, WhatIsDrawnAsItIsMeantRaisesNone) {
+  const std::string cut = trim("kind = \"line\"\nrole = \"cut\"\npoints = [[0, 5], [10, 5]]\n");
+  EXPECT_EQ(codes_of(plate + cut), Codes{});
+  EXPECT_EQ(codes_of(plate + cut +
+                     "[[input.trim]]\nname = \"k\"\nkind = \"line\"\nrole = \"crack\"\n"
+                     "points = [[5, 5], [5, 8]]\n"),
+            Codes{});
+  EXPECT_EQ(codes_of(plate + trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [5, 5]\nradius = 2\n") +
+                     "[[input.trim]]\nname = \"k\"\nkind = \"line\"\nrole = \"crack\"\npoints = [[7, 5], [9, 5]]\n"),
+            Codes{});
+  // Over the seam of a pipe, beside another hole there.
+  EXPECT_EQ(
+      codes_of("[[input.surface]]\nname = \"p\"\nkind = \"cylinder\"\nradius = 5\nv = [0, 20]\n" +
+               trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [0, 5]\nradius = 3\n") +
+               "[[input.trim]]\nname = \"k\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [360, 12]\nradius = 3\n"),
+      Codes{});
+}
+
+TEST(TrimDoubts, ACutThatStopsShortIsToldWithTheEndAndTheDistance) {
+  const std::string cut = trim("kind = \"line\"\nrole = \"cut\"\npoints = [[0, 5], [9.99, 5]]\n");
+  const auto made = surfaces_of(plate + cut);
+  ASSERT_TRUE(made.ok());
+  ASSERT_EQ(made->findings.size(), 2U);
+  EXPECT_EQ(made->findings[0].code, "line_short");
+  EXPECT_EQ(made->findings[0].message,
+            "'t' ends 0.01 m from the border and does not meet it: end it there, or farther off");
+  EXPECT_NEAR(*made->findings[0].place.x, 9.99, 1e-9);
+  EXPECT_EQ(made->findings[1].code, "cut_divides_nothing");
+  EXPECT_NEAR(*made->findings[1].place.u, 9.99, 1e-9);
+}
+
+TEST(TrimDoubts, EndsNearOtherLinesAreToldAndThoseFarAreNot) {
+  const std::string wall = trim("kind = \"line\"\nrole = \"internal\"\npoints = [[0, 5], [10, 5]]\n");
+  const auto other = [&](double y) {
+    return plate + wall + "[[input.trim]]\nname = \"k\"\nkind = \"line\"\nrole = \"crack\"\npoints = [[5, " +
+           std::to_string(y) + "], [5, 8]]\n";
+  };
+  EXPECT_EQ(codes_of(other(5.02)), Codes{"line_short"});
+  EXPECT_THAT(surfaces_of(other(5.02))->findings.at(0).message, HasSubstr("'k' ends 0.02 m from 't'"));
+  EXPECT_EQ(codes_of(other(5.3)), Codes{});
+  EXPECT_EQ(codes_of(other(5.0)), Codes{});
+}
+
+TEST(TrimDoubts, CracksAndLinesThatDoNothingAreTold) {
+  const auto line = [](const char* role, const char* points) {
+    return std::string("[[input.trim]]\nname = \"k\"\nkind = \"line\"\nrole = \"") + role + "\"\npoints = " + points +
+           "\n";
+  };
+  const std::string hole = trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [5, 5]\nradius = 3\n");
+  EXPECT_EQ(codes_of(plate + line("crack", "[[0, 2], [0, 8]]")), Codes{"crack_opens_nothing"});
+  EXPECT_EQ(codes_of(plate + hole + line("crack", "[[4, 5], [6, 5]]")), Codes{"crack_opens_nothing"});
+  EXPECT_EQ(codes_of(plate + hole + line("internal", "[[4, 5], [6, 5]]")), Codes{"line_left_out"});
+  EXPECT_EQ(codes_of(plate + hole + line("internal", "[[4, 5], [9, 5]]")), Codes{});  // a part of it stays
+}
+
+TEST(TrimDoubts, LoopsThatCrossAreToldWithAPlaceWhereTheyDo) {
+  const std::string hole = trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [4, 5]\nradius = 2\n");
+  const auto other = [&](double x, double radius) {
+    return plate + hole + "[[input.trim]]\nname = \"k\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [" +
+           std::to_string(x) + ", 5]\nradius = " + std::to_string(radius) + "\n";
+  };
+  const auto crossing = surfaces_of(other(6, 2));
+  ASSERT_TRUE(crossing.ok());
+  ASSERT_EQ(crossing->findings.size(), 1U);
+  EXPECT_EQ(crossing->findings[0].message, "the holes 't' and 'k' cross: what lies in either is taken away");
+  EXPECT_NEAR(*crossing->findings[0].place.x, 5.0, 1e-6);
+  EXPECT_NEAR(std::abs(*crossing->findings[0].place.y - 5.0), std::sqrt(3.0), 1e-6);
+  // Two circles of radius 2 whose middles are 2 apart: the lens is 2 (4 pi / 3) - 2 sqrt 3 wide.
+  EXPECT_NEAR(area_of(other(6, 2)), 100 - (8 * pi - (8 * pi / 3 - 2 * std::sqrt(3.0))), 1e-6);
+  EXPECT_EQ(codes_of(other(8, 1)), Codes{});  // beside it
+  EXPECT_EQ(codes_of(other(4, 1)), Codes{});  // within it
+  const auto eight =
+      surfaces_of(plate + trim("kind = \"polygon\"\nrole = \"hole\"\npoints = [[2, 2], [8, 8], [8, 2], [2, 8]]\n"));
+  ASSERT_TRUE(eight.ok());
+  ASSERT_EQ(eight->findings.size(), 1U);
+  EXPECT_EQ(eight->findings[0].code, "trims_cross");
+  EXPECT_NEAR(*eight->findings[0].place.x, 5.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace quebra::surfaces

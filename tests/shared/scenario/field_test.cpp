@@ -59,6 +59,9 @@ TEST(Field, AMisspeltKeyGetsASuggestionWithFileLineAndColumn) {
 TEST(Field, AWrongTypeSaysWhatIsWantedAndWhatWasFound) {
   const std::string start = "f.toml:7:3: step 2 (scale): ";
   EXPECT_EQ(field_complaint("factor", std::string("two")), start + "'factor' must be a number, found the text \"two\"");
+  EXPECT_EQ(
+      field_complaint("factor", std::string("3 m")),
+      start + "'factor' must be a number, found the text \"3 m\": numbers stand without quotes and without units");
   EXPECT_EQ(field_complaint("times", 2.5), start + "'times' must be a whole number, found 2.5");
   EXPECT_EQ(field_complaint("reverse", std::int64_t{1}), start + "'reverse' must be true or false, found 1");
   EXPECT_EQ(field_complaint("pin", std::vector<double>{1, 2, 3}),

@@ -1,0 +1,246 @@
+#include "quebra/surfaces/trim_doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "shared/geom/predicates.h"
+#include "shared/surf/trim/finding.h"
+
+namespace quebra::surfaces {
+
+using namespace dobra;
+using geom::Point;
+using geom::Point3;
+using surf::mesh::Finding;
+using surf::trim::ChartEdge;
+using surf::trim::TrimmedSurface;
+
+namespace {
+
+bool is_loop(TrimRole role) { return role == TrimRole::Hole || role == TrimRole::Outline; }
+
+/// Whether a place lies inside a closed way, by how often a ray to the right crosses it.
+bool encloses(const std::vector<Point>& way, Point p) {
+  bool in = false;
+  for (std::size_t i = 0, j = way.size() - 1; i < way.size(); j = i++) {
+    const Point low = way[i].y < way[j].y ? way[i] : way[j], high = way[i].y < way[j].y ? way[j] : way[i];
+    if ((low.y > p.y) == (high.y > p.y)) continue;
+    in ^= geom::orient2d(low, high, p) == geom::Sign::Positive;
+  }
+  return in;
+}
+
+class Doubts {
+ public:
+  Doubts(const surf::Surface& surface, std::span<const DrawnTrim> drawn, std::span<const TrimmedSurface> parts,
+         const TrimmedSurface& left, const DoubtOptions& options)
+      : surface_(surface), drawn_(drawn), left_(left), options_(options) {
+    for (const TrimmedSurface& part : parts) {
+      for (const auto& loop : part.loops) add(loop.edges, true);
+      for (const auto& line : part.lines) add(line.edges, false);
+    }
+  }
+
+  std::vector<Finding> run() {
+    std::set<std::string> told;
+    for (const DrawnTrim& trim : drawn_) {
+      if (is_loop(trim.role)) continue;
+      say_short(trim);
+      if (told.insert(trim.name).second) say_useless(trim);
+    }
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+      if (!is_loop(drawn_[i].role)) continue;
+      say_self_crossing(drawn_[i]);
+      for (std::size_t k = i + 1; k < drawn_.size(); ++k) {
+        if (is_loop(drawn_[k].role)) say_crossing(drawn_[i], drawn_[k]);
+      }
+    }
+    return std::move(findings_);
+  }
+
+ private:
+  /// A piece of a trim, or of a side of the chart, between places where it was cut; once.
+  struct Piece {
+    std::string name;
+    Point from, middle, to;
+    std::vector<Point> places;
+    bool parting = false;  ///< Different parts on its two sides, or nothing on one.
+  };
+
+  void add(const std::vector<ChartEdge>& edges, bool parting) {
+    for (const ChartEdge& edge : edges) {
+      Piece piece{edge.name, edge.start(), edge.at(0.5 * (edge.from + edge.to)), edge.end(), {}, parting};
+      const bool known = std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& other) {
+        return other.name == piece.name && same(other.middle, piece.middle);
+      });
+      if (known) continue;
+      constexpr int samples = 32;
+      for (int i = 0; i <= samples; ++i)
+        piece.places.push_back(edge.at(std::lerp(edge.from, edge.to, static_cast<double>(i) / samples)));
+      pieces_.push_back(std::move(piece));
+    }
+  }
+
+  [[nodiscard]] bool same(Point a, Point b) const {
+    const geom::Box& box = surface_.chart();
+    return std::abs(a.x - b.x) <= options_.same * box.width() && std::abs(a.y - b.y) <= options_.same * box.height();
+  }
+  /// A side at which the surface closes is no border.
+  [[nodiscard]] bool is_seam(const Piece& piece) const {
+    const geom::Box& box = surface_.chart();
+    const auto at = [](double a, double b, double end) { return a == end && b == end; };
+    return piece.name.empty() && ((surface_.closed_u() && (at(piece.from.x, piece.to.x, box.low.x) ||
+                                                           at(piece.from.x, piece.to.x, box.high.x))) ||
+                                  (surface_.closed_v() && (at(piece.from.y, piece.to.y, box.low.y) ||
+                                                           at(piece.from.y, piece.to.y, box.high.y))));
+  }
+  [[nodiscard]] bool meets_another(Point p, const std::string& name) const {
+    return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+      return piece.name != name && (same(piece.from, p) || same(piece.to, p));
+    });
+  }
+  void say(const char* code, std::string message, Point uv) {
+    findings_.push_back({code, std::move(message), surf::trim::place_of(surface_, uv)});
+  }
+
+  /// How near another line or border comes to a place, m.
+  struct Near {
+    double distance = std::numeric_limits<double>::infinity();
+    std::string name;
+  };
+  [[nodiscard]] Near nearest(Point p, const std::string& name) const {
+    Near best;
+    const Point3 at = surface_.at(p);
+    for (const Piece& piece : pieces_) {
+      if (piece.name == name || is_seam(piece)) continue;
+      Point3 last = surface_.at(piece.places.front());
+      for (std::size_t i = 1; i < piece.places.size(); ++i) {
+        const Point3 next = surface_.at(piece.places[i]);
+        const geom::Vector3 way = next - last;
+        const double square = dot(way, way);
+        const double t = square > 0.0 ? std::clamp(dot(at - last, way) / square, 0.0, 1.0) : 0.0;
+        const double distance = geom::distance(at, last + t * way);
+        if (distance < best.distance) best = {distance, piece.name};
+        last = next;
+      }
+    }
+    return best;
+  }
+
+  void say_short(const DrawnTrim& trim) {
+    if (trim.closed) return;
+    for (const Point end : {trim.places.front(), trim.places.back()}) {
+      if (meets_another(end, trim.name)) continue;
+      const Near near = nearest(end, trim.name);
+      if (near.distance >= options_.shy * surface_.size()) continue;
+      if (near.name.empty()) {
+        say("line_short",
+            fmt::format("'{}' ends {:.3g} m from the border and does not meet it: end it there, or farther off",
+                        trim.name, near.distance),
+            end);
+      } else {
+        say("line_short",
+            fmt::format("'{}' ends {:.3g} m from '{}' and does not meet it: end it there, or farther off", trim.name,
+                        near.distance, near.name),
+            end);
+      }
+    }
+  }
+
+  void say_useless(const DrawnTrim& trim) {
+    const Point middle = trim.places[trim.places.size() / 2];
+    const auto named = [&](const ChartEdge& edge) { return edge.name == trim.name; };
+    const auto in_lines = [&] {
+      return std::any_of(left_.lines.begin(), left_.lines.end(),
+                         [&](const auto& line) { return std::any_of(line.edges.begin(), line.edges.end(), named); });
+    };
+    const auto in_loops = [&] {
+      return std::any_of(left_.loops.begin(), left_.loops.end(),
+                         [&](const auto& loop) { return std::any_of(loop.edges.begin(), loop.edges.end(), named); });
+    };
+    if (trim.role == TrimRole::Cut) {
+      const bool parts = std::any_of(pieces_.begin(), pieces_.end(),
+                                     [&](const Piece& piece) { return piece.name == trim.name && piece.parting; });
+      if (parts) return;
+      const bool open = !meets_another(trim.places.front(), trim.name);
+      say("cut_divides_nothing",
+          fmt::format("the cut '{}' divides nothing: it must go from border to border, or from cut to cut", trim.name),
+          open ? trim.places.front() : trim.places.back());
+    } else if (trim.role == TrimRole::Crack) {
+      if (in_lines()) return;
+      say("crack_opens_nothing",
+          fmt::format("the crack '{}' opens nothing: it lies on a border, or outside what is left of the surface",
+                      trim.name),
+          middle);
+    } else if (!in_lines() && !in_loops()) {
+      say("line_left_out", fmt::format("the line '{}' lies outside what is left of the surface", trim.name), middle);
+    }
+  }
+
+  /// Where more than two of its pieces meet.
+  void say_self_crossing(const DrawnTrim& trim) {
+    for (const Piece& piece : pieces_) {
+      if (piece.name != trim.name) continue;
+      for (const Point p : {piece.from, piece.to}) {
+        int ends = 0;
+        for (const Piece& other : pieces_) {
+          if (other.name != trim.name) continue;
+          ends += (same(other.from, p) ? 1 : 0) + (same(other.to, p) ? 1 : 0);
+        }
+        if (ends <= 2) continue;
+        say("trims_cross",
+            fmt::format("'{}' crosses itself here: inside is what it goes round an odd number of times", trim.name), p);
+        return;
+      }
+    }
+  }
+
+  void say_crossing(const DrawnTrim& first, const DrawnTrim& second) {
+    std::optional<Point> in, out;
+    for (const Piece& piece : pieces_) {
+      if (piece.name != second.name) continue;
+      (within(first, piece.middle) ? in : out) = piece.from;
+    }
+    if (!in || !out) return;
+    const bool holes = first.role == TrimRole::Hole && second.role == TrimRole::Hole;
+    say("trims_cross",
+        holes
+            ? fmt::format("the holes '{}' and '{}' cross: what lies in either is taken away", first.name, second.name)
+            : fmt::format("'{}' and '{}' cross: what stays lies in an outline and in no hole", first.name, second.name),
+        *in);
+  }
+
+  /// Whole periods beside it too, where the surface closes.
+  [[nodiscard]] bool within(const DrawnTrim& trim, Point p) const {
+    const geom::Box& box = surface_.chart();
+    const double round_u = surface_.closed_u() ? box.width() : 0.0, round_v = surface_.closed_v() ? box.height() : 0.0;
+    for (const double u : {0.0, -round_u, round_u}) {
+      for (const double v : {0.0, -round_v, round_v}) {
+        if (encloses(trim.places, p + geom::Vector{u, v})) return true;
+      }
+    }
+    return false;
+  }
+
+  const surf::Surface& surface_;
+  std::span<const DrawnTrim> drawn_;
+  const TrimmedSurface& left_;
+  DoubtOptions options_;
+  std::vector<Piece> pieces_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+std::vector<Finding> trim_doubts(const surf::Surface& surface, std::span<const DrawnTrim> drawn,
+                                 std::span<const TrimmedSurface> parts, const TrimmedSurface& left,
+                                 const DoubtOptions& options) {
+  return Doubts(surface, drawn, parts, left, options).run();
+}
+
+}  // namespace quebra::surfaces
