@@ -13,6 +13,7 @@
 #include "quebra/repair/repair.h"
 #include "quebra/sketch/roles_by_name.h"
 #include "quebra/sketch/sketch_file.h"
+#include "quebra/surfaces/finding_text.h"
 #include "shared/geom/drawn_curve.h"
 #include "shared/io/faces/import.h"
 
@@ -259,7 +260,8 @@ model::Model model_of(std::vector<dobra::surf::trim::TrimmedSurface> faces, std:
   model.domain.unit = context.units.to_si(1.0, "m");
   model.surfaces = std::make_shared<const model::SurfaceSet>(model::SurfaceSet{std::move(faces), std::move(units)});
   model.surface_findings = std::move(findings);
-  for (const auto& finding : model.surface_findings) model.remarks.push_back(finding.message);
+  for (const auto& finding : model.surface_findings)
+    model.remarks.push_back(surfaces::line_of(finding, finding.place.item.empty()));
   return model;
 }
 

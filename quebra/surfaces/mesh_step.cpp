@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "quebra/surfaces/finding_text.h"
 #include "quebra/surfaces/mesh_surfaces.h"
 
 namespace quebra::surfaces {
@@ -46,7 +47,7 @@ Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParam
   model::Model result = model;
   result.work.reset();
   meshed.name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.surface_meshes.size() + 1);
-  for (const surf::mesh::Finding& finding : meshed.findings) result.remarks.push_back(finding.message);
+  for (const surf::mesh::Finding& finding : meshed.findings) result.remarks.push_back(line_of(finding, false));
   result.surface_meshes.push_back(std::make_shared<const model::SurfaceMeshed>(std::move(meshed)));
   return result;
 }

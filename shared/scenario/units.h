@@ -73,7 +73,7 @@ std::vector<DataTable> in_units(std::vector<DataTable> tables, const UnitSystem&
 /// scale.
 scene::Picture in_units(scene::Picture picture, const UnitSystem& units);
 scene::space::SpacePicture in_units(scene::space::SpacePicture picture, const UnitSystem& units);
-/// A message: numbers before a unit, "0.5 m", and points "(x, y)"; what stands in quotes stays.
+/// A message: numbers before a unit, "0.5 m", and points "(x, y)" and "(x, y, z)"; what stands in quotes stays.
 std::string message_in_units(const std::string& message, const UnitSystem& units);
 base::Error in_units(base::Error error, const UnitSystem& units);
 

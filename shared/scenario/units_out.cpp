@@ -1,8 +1,10 @@
 // From SI to the units that a scenario is told its results in: quantities, tables, pictures, messages.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <vector>
 
 #include "shared/base/text.h"
 #include "shared/scenario/program.h"
@@ -158,24 +160,28 @@ std::string number_in(const std::string& number, const std::string& unit, const 
   return value && units.unit(unit) != unit ? fmt::format("{:.6g}", units.from_si(*value, unit)) : number;
 }
 
-/// "(x, y)" at `at`; nothing if no point begins there.
+/// "(x, y)" or "(x, y, z)" at `at`; nothing if no point begins there.
 struct PointText {
-  std::string x, y;
+  std::vector<std::string> numbers;
   std::size_t end = 0;  ///< Behind the bracket.
 };
 
 std::optional<PointText> point_at(const std::string& text, std::size_t at) {
   if (text[at] != '(' || at + 1 >= text.size() || !begins_number(text, at + 1)) return std::nullopt;
   PointText point;
-  const std::size_t comma = end_of_number(text, at + 1);
-  point.x = text.substr(at + 1, comma - at - 1);
-  if (text.compare(comma, 2, ", ") != 0 || comma + 2 >= text.size() || !begins_number(text, comma + 2))
-    return std::nullopt;
-  const std::size_t close = end_of_number(text, comma + 2);
-  point.y = text.substr(comma + 2, close - comma - 2);
-  if (close >= text.size() || text[close] != ')') return std::nullopt;
-  point.end = close + 1;
-  return point;
+  std::size_t begin = at + 1;
+  for (;;) {
+    const std::size_t end = end_of_number(text, begin);
+    point.numbers.push_back(text.substr(begin, end - begin));
+    if (end < text.size() && text[end] == ')' && point.numbers.size() >= 2) {
+      point.end = end + 1;
+      return point;
+    }
+    begin = end + 2;
+    if (point.numbers.size() == 3 || text.compare(end, 2, ", ") != 0 || begin >= text.size() ||
+        !begins_number(text, begin))
+      return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -242,7 +248,9 @@ std::string message_in_units(const std::string& message, const UnitSystem& units
       if (const auto point = point_at(message, i)) {
         const std::string unit = unit_behind(message, point->end);
         const std::string of = unit.empty() ? "m" : unit;
-        made += fmt::format("({}, {})", number_in(point->x, of, units), number_in(point->y, of, units));
+        std::vector<std::string> numbers = point->numbers;
+        for (std::string& number : numbers) number = number_in(number, of, units);
+        made += fmt::format("({})", fmt::join(numbers, ", "));
         if (!unit.empty()) made += " " + units.unit(unit);
         i = point->end + (unit.empty() ? 0 : unit.size() + 1);
         continue;

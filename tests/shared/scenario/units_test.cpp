@@ -134,6 +134,8 @@ TEST(Units, MessagesTellLengthsAndPlacesInTheUnitsOfTheScenario) {
                 "(0, 1000) N in all; Young's modulus at (1, 2); 7 metres, step 2 (mesh), K is 1e+06 Pa sqrt(m)", mm),
             "(0, 1000) N in all; Young's modulus at (1000, 2000); 7 metres, step 2 (mesh), K is 31.6228 MPa sqrt(mm)");
   EXPECT_EQ(message_in_units("0.1 m", UnitSystem()), "0.1 m");
+  EXPECT_EQ(message_in_units("it is short; at (1, -0.5, 2e-3)", mm), "it is short; at (1000, -500, 2)");
+  EXPECT_EQ(message_in_units("of (1, 2, 3, 4) and (u 1, v 2)", mm), "of (1, 2, 3, 4) and (u 1, v 2)");
 }
 
 TEST(Units, PicturesInSpaceHaveTheirAxesColoursAndCurtainsInThem) {
