@@ -1,10 +1,11 @@
-// Figures of paper_mesher.md and surface_border.md.
+// Figures of paper_mesher.md, surface_border.md and surface_front.md.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "shared/mesh/quality.h"
+#include "shared/surf/mesh/chart_mesher.h"
 #include "shared/surf/paper/paper_mesher.h"
 #include "tests/figures/figures.h"
 #include "tests/support/surface_stand_ins.h"
@@ -243,10 +244,28 @@ base::Result<scene::Picture> surface_border() {
   return picture;
 }
 
+/// What engine `front` makes of the same border.
+base::Result<scene::Picture> surface_front() {
+  const surf::test::StandIn s = stand_in("8f");
+  DOBRA_TRY(const surf::mesh::Division division, divided(s, surf::mesh::DivisionKind::Even));
+  DOBRA_TRY(const surf::mesh::FaceMesh face,
+            surf::mesh::mesh_chart(division.faces[0], {.sizes = {.largest = s.largest, .turn = s.turn}}));
+  PaperMesher::View view{.places = face.chart.points, .points = face.at, .triangles = {}, .front = {}};
+  for (const auto& c : face.chart.triangles) {
+    const auto index = [&](std::size_t i) { return static_cast<std::uint32_t>(c[i].index()); };
+    view.triangles.push_back({index(0), index(1), index(2)});
+  }
+  scene::Picture picture;
+  picture.panels.push_back(in_chart("in the chart", view));
+  picture.panels.push_back(in_space("in space", view));
+  return picture;
+}
+
 }  // namespace
 
 std::vector<Figure> paper_figures() {
   return {{"surface_border", surface_border},
+          {"surface_front", surface_front},
           {"paper_quadtree", paper_quadtree},
           {"paper_front", paper_front},
           {"paper_smooth", paper_smooth},
