@@ -279,6 +279,12 @@ Result<model::Model> add_shell(const model::Model& model, const ShellParams& par
   model::Model result = model;
   result.shell = std::make_shared<const Shell>(std::move(shell));
   result.shell_mesh = model.surface_meshes.back();
+  const auto& types = result.shell_mesh->elements.mesh.types;
+  if (std::find(types.begin(), types.end(), mesh::ElementType::T3) != types.end()) {
+    result.remarks.push_back(
+        "shell.inp has triangles of first order, S3, which CalculiX makes much too stiff in bending: take order = "
+        "\"2\" in the step before");
+  }
   return result;
 }
 

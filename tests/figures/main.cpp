@@ -1,5 +1,5 @@
-// figures FOLDER [svg|png [BEGINNING]]: writes every figure of docs/algorithms, and the pictures of the two bundled
-// examples that the README shows; or those whose names begin so. To be run in the top folder of the sources, where
+// figures FOLDER [svg|png [BEGINNING]]: writes every figure of docs/algorithms, and the pictures of bundled
+// examples that pages show; or those whose names begin so. To be run in the top folder of the sources, where
 // resources/examples are.
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 
 #include "quebra/core/operations.h"
 #include "recon/core/operations.h"
+#include "shared/base/check.h"
 #include "shared/cli/pictures.h"
 #include "shared/render/cairo.h"
 #include "shared/scenario/runner.h"
@@ -32,6 +33,16 @@ base::Result<void> write_example(const scenario::Program& program, const Folder&
   const scenario::Run run = scenario::Runner(program).run(document);
   if (!run.complete()) return *run.error;
   return render::write_png(cli::picture_of(program, document, run.states.back()), file, std::nullopt, 2.0);
+}
+
+/// What it draws in space.
+base::Result<void> write_space_example(const scenario::Program& program, const Folder& scenario, const Folder& file) {
+  DOBRA_TRY(const scenario::Document document, scenario::read_document(scenario));
+  const scenario::Run run = scenario::Runner(program).run(document);
+  if (!run.complete()) return *run.error;
+  const auto picture = program.space_of(run.states.back());
+  DOBRA_CHECK(picture.has_value());
+  return cli::draw(*picture, file, cli::Drawer::Cairo);
 }
 
 /// Says what went wrong, if anything; how many times something did.
@@ -61,6 +72,11 @@ int write_all(const Folder& folder, const std::string& ending, const std::string
     failed +=
         failures("plate_with_hole", write_example(quebra::core::program(), examples / "quebra/plate_with_hole.toml",
                                                   folder / "plate_with_hole.png"));
+  }
+  if (asked("cracked_shell")) {
+    failed +=
+        failures("cracked_shell", write_space_example(quebra::core::program(), examples / "surfaces/cracked_shell.toml",
+                                                      folder / "cracked_shell.png"));
   }
   return failed;
 }

@@ -157,6 +157,16 @@ TEST(Shell, DecksHoldSectionsAndElementsOfShells) {
   EXPECT_TRUE(holds(kinds(true, true).second, "CQUAD8"));
 }
 
+TEST(Shell, DecksOfTrianglesOfFirstOrderComeWithARemark) {
+  for (const bool second : {false, true}) {
+    model::Model model;
+    model.surface_meshes.push_back(std::make_shared<const model::SurfaceMeshed>(meshed(roof, 8.0, second).mesh));
+    const auto made = add_shell(model, roof_params(), {}, {});
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_EQ(made->remarks.size(), second ? 0U : 1U);
+  }
+}
+
 /// Of the .inp, for the nodes of a set of sides: the rotations held, as strings of the numbers of the axes.
 std::set<std::string> turns_in(const std::string& inp, const Meshed& all, const std::string& set) {
   std::map<std::size_t, std::string> held;
