@@ -21,6 +21,7 @@ class QSplitter;
 class QLabel;
 class QMenu;
 class QSettings;
+class QToolBar;
 
 namespace dobra::gui {
 
@@ -37,8 +38,9 @@ namespace importing {
 class TakenInBar;
 }
 namespace stage {
+class SectionBar;
 class SpaceWidget;
-}
+}  // namespace stage
 namespace view {
 class ExaggerationBox;
 }
@@ -154,6 +156,12 @@ class MainWindow : public QMainWindow {
   /// The view in space, its actions, and what picking links in both views.
   void make_space_view();
   void add_space_actions();
+  /// What the bar over the picture in space has: layers, colours, the section plane.
+  void add_space_switches();
+  void show_section(bool on);
+  [[nodiscard]] bool shows_layers(const std::vector<std::string>& keys) const;
+  /// As the switches want it: without the colours of values.
+  void without_colors(scene::Picture& plane) const;
   [[nodiscard]] bool has_space() const;
   /// Of the last run, as the list of layers has it; adds its layers to the `listed`.
   [[nodiscard]] std::optional<scene::space::SpacePicture> space_shown(scene::Picture& listed) const;
@@ -192,6 +200,9 @@ class MainWindow : public QMainWindow {
   /// Asks how the files are to be read, and brings them into the document as one edit.
   void import_files(const std::vector<std::filesystem::path>& files);
   void open_asking(const std::filesystem::path& file);
+  [[nodiscard]] QString open_filter() const;
+  [[nodiscard]] const OtherFile* other_file(const std::filesystem::path& file) const;
+  base::Result<void> begin_with(const OtherFile& kind, const std::filesystem::path& file);
   [[nodiscard]] QSettings settings() const;
   void remember_file(const std::filesystem::path& file);
   [[nodiscard]] QStringList recent_files() const;
@@ -231,7 +242,11 @@ class MainWindow : public QMainWindow {
   actions::Registry actions_;
   actions::Palette* palette_ = nullptr;
   VtkWidget* view_ = nullptr;
+  QWidget* space_side_ = nullptr;  ///< The picture in space with its bars.
+  QToolBar* space_bar_ = nullptr;
+  stage::SectionBar* section_ = nullptr;
   stage::SpaceWidget* space_ = nullptr;
+  bool colored_ = true;  ///< Surfaces have the colours of their values.
   QSplitter* views_ = nullptr;
   enum class Views { Both, Plane, Space } looked_at_ = Views::Both;  ///< Where there is a picture in space.
   Canvas* canvas_ = nullptr;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shared/canvas/entry.h"
+#include "shared/canvas/rounding.h"
 #include "shared/gui/words/words.h"
 #include "shared/render/vtk_space.h"
 
@@ -23,11 +24,21 @@ constexpr double degrees_a_key = 10.0;
 constexpr double moved_a_key = 0.1;          ///< Of the plot.
 constexpr double click_reach = 4.0;          ///< Pixels that a hand may move in a click.
 constexpr std::size_t thinned_from = 40000;  ///< Cells: so many are stood in for while the view moves.
+constexpr double unmoved = 1e-6;             ///< Of a pixel: rounding.
 constexpr double least_zoom = 1e-6;          ///< Of what is shown at all, a pixel.
 constexpr double most_zoom = 1.0;
+const scene::Color section_color{0x15, 0x65, 0xc0};
 const scene::Color moving_color{0xd0, 0x10, 0x10};
 
 geom::Point point_of(QPointF pixel) { return {pixel.x(), pixel.y()}; }
+
+/// In few digits; along axes that go away from the viewer a place stays what it was.
+geom::Point3 short_place(geom::Point3 to, geom::Point3 from, double pixel) {
+  const auto one = [pixel](double value, double before) {
+    return std::abs(value - before) <= unmoved * pixel ? before : canvas::rounded(value, pixel);
+  };
+  return {one(to.x, from.x), one(to.y, from.y), one(to.z, from.z)};
+}
 
 }  // namespace
 
@@ -64,7 +75,34 @@ void SpaceWidget::set_picture(space::SpacePicture picture, Looking looking) {
   picture.layers = space::unrolled(picture);
   if (looking == Looking::AtAll) look_ = {picture.camera, std::nullopt};
   picture_ = std::move(picture);
-  end_gesture();
+  cut_picture();
+  if (!has_marker()) end_gesture();
+  make_picker();
+  show_picture();
+}
+
+bool SpaceWidget::has_marker() const {
+  if (!marker_) return false;
+  return std::any_of(picture_.layers.begin(), picture_.layers.end(), [&](const space::Layer& layer) {
+    const auto* markers = std::get_if<space::Markers>(&layer.content);
+    if (markers == nullptr || layer.key != marker_->pick.layer) return false;
+    for (std::size_t i = 0; i < markers->points.size(); ++i) {
+      if (space::id_of(markers->ids, i) == marker_->pick.id) return true;
+    }
+    return false;
+  });
+}
+
+void SpaceWidget::cut_picture() {
+  shown_ = picture_;
+  if (!section_ || picture_.layers.empty()) return;
+  const geom::Box3 box = space::extent(picture_);
+  shown_ = space::cut(picture_, space::plane_across(section_->axis, section_->part, box, section_->other_side));
+}
+
+void SpaceWidget::set_section(const std::optional<Section>& section) {
+  if (std::exchange(section_, section) == section) return;
+  cut_picture();
   make_picker();
   show_picture();
 }
@@ -73,7 +111,7 @@ void SpaceWidget::make_picker() {
   picker_ = nullptr;
   waiting_click_.reset();
   bench_.clear();
-  bench_.post([this, picture = picture_]() -> std::function<void()> {
+  bench_.post([this, picture = shown_]() -> std::function<void()> {
     auto made = std::make_shared<space::Picker>(picture);
     return [this, made] {
       picker_ = made;
@@ -87,7 +125,18 @@ void SpaceWidget::show_picture() {
   give_way();
   makeCurrent();
   hurry();
-  space::SpacePicture shown = picture_;
+  space::SpacePicture shown = shown_;
+  if (section_ && !shown.layers.empty()) {
+    const geom::Box3 box = space::extent(picture_);
+    space::Layer frame;
+    frame.key = "space.section";
+    frame.style = {.line = section_color, .line_width = 1.2, .dash = scene::Dash::Dashed};
+    frame.in_legend = scene::InLegend::No;
+    space::Lines line;
+    line.lines = {space::frame_of(space::plane_across(section_->axis, section_->part, box, false), box)};
+    frame.content = std::move(line);
+    shown.layers.push_back(std::move(frame));
+  }
   shown.vertical_exaggeration *= exaggeration_;
   space_->set_look(look_);
   relayout();
@@ -120,8 +169,10 @@ void SpaceWidget::set_exaggeration(double exaggeration) {
 }
 
 void SpaceWidget::set_layer_visible(const std::string& key, bool visible) {
-  for (space::Layer& layer : picture_.layers) {
-    if (space::known_key(layer.key) == key) layer.visible = visible;
+  for (space::SpacePicture* each : {&picture_, &shown_}) {
+    for (space::Layer& layer : each->layers) {
+      if (space::known_key(layer.key) == key) layer.visible = visible;
+    }
   }
   if (picker_) picker_->set_visible(key, visible);
   if (space_ == nullptr) return;
@@ -150,6 +201,7 @@ void SpaceWidget::look_from(space::StandardView view) {
 
 void SpaceWidget::fit() {
   look_.view = std::nullopt;
+  look_.camera.target = picture_.camera.target;
   look_moved();
 }
 
@@ -181,7 +233,7 @@ void SpaceWidget::zoom(double factor, QPointF at) {
 std::optional<space::SpacePick> SpaceWidget::pick_at(QPointF pixel) {
   if (space_ == nullptr || !plot().contains(pixel)) return std::nullopt;
   if (!picker_ && space_->cost() <= thinned_from) {
-    picker_ = std::make_shared<space::Picker>(picture_);
+    picker_ = std::make_shared<space::Picker>(shown_);
     bench_.clear();
   }
   if (!picker_) return std::nullopt;
@@ -197,7 +249,7 @@ void SpaceWidget::mark(const std::optional<scene::Pick>& pick) {
 void SpaceWidget::show_marks() {
   if (space_ == nullptr) return;
   std::vector<space::Layer> layers;
-  if (marked_) layers = space::highlight(picture_, *marked_);
+  if (marked_) layers = space::highlight(shown_, *marked_);
   if (marker_) {
     space::Layer moving;
     moving.key = "space.moving";
@@ -296,12 +348,19 @@ void SpaceWidget::click(QPointF pixel) {
 void SpaceWidget::drag_marker(MarkerDrag phase, QPointF pixel) {
   if (space_ == nullptr || !marker_) return;
   const space::Sheet& sheet = space_->layout().sheet;
+  if (phase == MarkerDrag::Begins) {  // pictures that arrive on the way stand where this one does
+    if (!look_.view) look_.view = space_->layout().view;
+    if (!look_.camera.target) look_.camera.target = space::extent(shown_).centre();
+    look_moved();
+  }
   // From where it was taken hold of, which is not always its middle.
   const auto begin = space::project(sheet, marker_->place);
   if (!begin) return;
-  marker_at_ = phase == MarkerDrag::Begins || phase == MarkerDrag::IsTakenBack
-                   ? marker_->place
-                   : space::in_plane_of(sheet, begin->at + (point_of(pixel) - point_of(pressed_)), marker_->place);
+  marker_at_ =
+      phase == MarkerDrag::Begins || phase == MarkerDrag::IsTakenBack
+          ? marker_->place
+          : short_place(space::in_plane_of(sheet, begin->at + (point_of(pixel) - point_of(pressed_)), marker_->place),
+                        marker_->place, space_->layout().view.world_per_point);
   show_marks();
   emit dragged(phase, *marker_, marker_at_);
 }
