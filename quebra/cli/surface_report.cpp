@@ -79,6 +79,8 @@ const char* name_of(base::ErrorCode code) {
       return "cannot_restore";
     case base::ErrorCode::BadDomain:
       return "bad_domain";
+    case base::ErrorCode::NotClosed:
+      return "not_closed";
   }
   return "error";
 }

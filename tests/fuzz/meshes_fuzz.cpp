@@ -20,7 +20,7 @@ namespace formats = io::formats;
 base::Result<std::string> written_text(const formats::Format& format, const mesh::ElementMesh& mesh) {
   using namespace io::meshes;
   if (format.name == "inp") return inp_text(mesh, {.element = InpElement::PlaneStress, .numbers = InpNumbers::Exact});
-  return format.mesh->text(mesh, InpElement::PlaneStress);
+  return format.mesh->text(mesh, InpElement::PlaneStress, {});
 }
 
 /// The first writing may change names to what the format can hold; from then on nothing changes.

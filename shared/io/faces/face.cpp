@@ -381,11 +381,11 @@ class FaceImport {
                      itself ? fmt::format("{} crosses itself in the chart of the surface; mend the face", first)
                             : fmt::format("{} and {} cross in the chart of the surface; mend the face", first, second),
                      uv, at};
-    report_.say("edges_cross",
-                itself ? fmt::format("{} crosses itself in the chart of the surface, by less than gaps may be", first)
-                       : fmt::format("{} and {} cross in the chart of the surface, by less than gaps may be", first,
-                                     second),
-                uv, at);
+    report_.say(
+        "edges_cross",
+        itself ? fmt::format("{} crosses itself in the chart of the surface, by less than gaps may be", first)
+               : fmt::format("{} and {} cross in the chart of the surface, by less than gaps may be", first, second),
+        uv, at);
     return std::nullopt;
   }
 

@@ -134,7 +134,7 @@ TEST_P(StandIns, SUR_f_AreMeshedByBothEngines) {
 }
 INSTANTIATE_TEST_SUITE_P(Surfaces, StandIns,
                          testing::Values("6", "7a", "7b", "7c", "7d", "7e", "7f", "8a", "8b", "8c", "8d", "8e", "8f"),
-                         [](const auto& info) { return "of_figure_" + std::string(info.param); });
+                         [](const auto& stand_in) { return "of_figure_" + std::string(stand_in.param); });
 
 }  // namespace
 }  // namespace quebra::cli
