@@ -72,7 +72,7 @@ namespace {
 
 constexpr scene::Color chart_crack_red{198, 40, 40};
 constexpr scene::Color chart_mesh_line{55, 71, 79, 150};
-constexpr scene::Color isocurve_blue{21, 101, 192};
+constexpr scene::Color isocurve_pink{216, 27, 96};
 constexpr scene::Color normal_violet{123, 31, 162};
 constexpr scene::Color face_fill{205, 220, 234};
 constexpr scene::Color left_out_fill{224, 224, 224};
@@ -191,7 +191,7 @@ scene::Layer isocurves_in_chart(const std::vector<Isocurve>& curves, std::size_t
   }
   return {isocurves_layer,
           translated("Lines of constant u and v"),
-          {.line = isocurve_blue, .line_width = 0.9},
+          {.line = isocurve_pink, .line_width = 1.1},
           std::move(content),
           false};
 }
@@ -319,7 +319,7 @@ void add_helping_lines(const model::SurfaceSet& set, const model::SurfaceMeshed&
     curves.ids.push_back(curve.item);
   }
   arrows.lines = normals(meshed.mesh);
-  add(isocurves_layer, translated("Lines of constant u and v"), isocurve_blue, 1.1, std::move(curves));
+  add(isocurves_layer, translated("Lines of constant u and v"), isocurve_pink, 1.3, std::move(curves));
   add(normals_layer, translated("Normals"), normal_violet, 0.9, std::move(arrows));
 }
 

@@ -119,6 +119,7 @@ class MainWindow : public QMainWindow {
   void childEvent(QChildEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void moveEvent(QMoveEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -167,6 +168,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::optional<scene::space::SpacePicture> space_shown(scene::Picture& listed) const;
   void show_space(const std::optional<scene::space::SpacePicture>& picture);
   void show_views();
+  void arrange_views();
   void point_at(const stage::ItemAt& item);
   void ask_save_space_picture();
   [[nodiscard]] scene::Picture picture_shown() const;

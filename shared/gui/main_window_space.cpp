@@ -20,6 +20,7 @@ namespace dobra::gui {
 
 namespace {
 
+constexpr double wide_enough = 1.4;  ///< For two pictures side by side, by the height.
 const scene::Color plain_fill{0xd7, 0xe3, 0xea};
 
 }  // namespace
@@ -115,11 +116,24 @@ void MainWindow::show_views() {
   space_side_->setVisible(space);
   const bool plane = !has_space() || session_.outcome()->picture != nullptr;
   view_->setVisible(!space || (plane && looked_at_ == Views::Both));
+  arrange_views();
   if (space && !before && looked_at_ == Views::Both) {
-    const int half = std::max(views_->width() / 2, 1);
+    const int half = std::max(std::max(views_->width(), views_->height()) / 2, 1);
     views_->setSizes({half, half});
   }
   actions_.refresh();
+}
+
+/// Side by side where that leaves both room enough, else one above the other.
+void MainWindow::arrange_views() {
+  if (views_ == nullptr || !views_->isVisible()) return;
+  const bool wide = views_->width() >= wide_enough * views_->height();
+  views_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  arrange_views();
 }
 
 void MainWindow::add_space_actions() {

@@ -41,7 +41,8 @@ class Strips {
   /// Of a plane in the plane, by its loops: chords of curves are short enough.
   double area() const {
     double sum = 0.0;
-    for (const auto& loop : set()->faces[0].loops) {
+    const auto all = set();
+    for (const auto& loop : all->faces[0].loops) {
       std::vector<Point> points;
       for (const auto& edge : loop.edges) {
         for (int i = 0; i < 500; ++i) points.push_back(edge.at(edge.from + (edge.to - edge.from) * i / 500.0));

@@ -107,7 +107,9 @@ TEST(CutPicture, WhatThePlaneDoesNotMeetIsAsItWas) {
   const SpacePicture picture = square_with_line();
   const SpacePicture left = cut(picture, {{9.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
   ASSERT_EQ(left.layers.size(), picture.layers.size());
-  for (std::size_t i = 0; i < left.layers.size(); ++i) EXPECT_EQ(left.layers[i].content, picture.layers[i].content);
+  EXPECT_EQ(std::get<Surface>(left.layers[0].content), std::get<Surface>(picture.layers[0].content));
+  EXPECT_EQ(std::get<Lines>(left.layers[1].content), std::get<Lines>(picture.layers[1].content));
+  EXPECT_EQ(std::get<Markers>(left.layers[2].content), std::get<Markers>(picture.layers[2].content));
   EXPECT_EQ(layer(left, "square.cut"), nullptr);
   const SpacePicture none = cut(picture, {{-9.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
   EXPECT_TRUE(std::get<Surface>(layer(none, "square")->content).triangles.empty());
