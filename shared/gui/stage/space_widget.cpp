@@ -74,6 +74,7 @@ void SpaceWidget::stage_made() {
 void SpaceWidget::set_picture(space::SpacePicture picture, Looking looking) {
   picture.layers = space::unrolled(picture);
   if (looking == Looking::AtAll) look_ = {picture.camera, std::nullopt};
+  if (!look_.view) held_.reset();
   picture_ = std::move(picture);
   cut_picture();
   if (!has_marker()) end_gesture();
@@ -138,7 +139,7 @@ void SpaceWidget::show_picture() {
     shown.layers.push_back(std::move(frame));
   }
   shown.vertical_exaggeration *= exaggeration_;
-  space_->set_look(look_);
+  space_->set_look(held_look());
   relayout();
   space_->set_picture(shown);
   doneCurrent();
@@ -176,6 +177,7 @@ void SpaceWidget::set_layer_visible(const std::string& key, bool visible) {
   }
   if (picker_) picker_->set_visible(key, visible);
   if (space_ == nullptr) return;
+  if (!look_.view) return show_picture();  // what comes into sight is to be seen
   makeCurrent();
   space_->set_layer_visible(key, visible);
   doneCurrent();
@@ -187,7 +189,7 @@ void SpaceWidget::look_moved() {
   if (space_ == nullptr) return;
   makeCurrent();
   hurry();
-  space_->set_look(look_);
+  space_->set_look(held_look());
   if (space_->cost() > thinned_from) space_->hold_frame();
   doneCurrent();
   redraw();
@@ -196,19 +198,32 @@ void SpaceWidget::look_moved() {
 
 void SpaceWidget::look_from(space::StandardView view) {
   look_ = {space::camera_of(view), std::nullopt};
+  held_.reset();
   look_moved();
 }
 
 void SpaceWidget::fit() {
   look_.view = std::nullopt;
-  look_.camera.target = picture_.camera.target;
+  held_.reset();
   look_moved();
+}
+
+/// Other pictures, and more layers, stand from now on where this one does.
+void SpaceWidget::hold() {
+  if (space_ == nullptr) return;
+  if (!look_.view) look_.view = space_->layout().view;
+  if (!held_) held_ = look_.camera.target.value_or(space_->shown().centre());
+}
+
+space::Look SpaceWidget::held_look() const {
+  space::Look look = look_;
+  if (held_) look.camera.target = held_;
+  return look;
 }
 
 /// The picture turns as if the hand took hold of it.
 void SpaceWidget::orbit(QPointF by) {
-  // Its scale stays: what is shown at all is wider from some sides than from others.
-  if (space_ != nullptr && !look_.view) look_.view = space_->layout().view;
+  hold();  // its scale stays: what is shown at all is wider from some sides than from others
   look_.camera = space::orbited(look_.camera, base::Angle::from_degrees(-degrees_a_pixel * by.x()),
                                 base::Angle::from_degrees(degrees_a_pixel * by.y()));
   look_moved();
@@ -216,6 +231,7 @@ void SpaceWidget::orbit(QPointF by) {
 
 void SpaceWidget::pan(QPointF by) {
   if (space_ == nullptr) return;
+  hold();
   look_.view = scene::pan(space_->layout().view, {by.x(), by.y()});
   look_moved();
 }
@@ -226,6 +242,7 @@ void SpaceWidget::zoom(double factor, QPointF at) {
   const double size = std::max(space_->shown().diagonal(), 1e-300);
   const double wanted = layout.view.world_per_point / factor;
   if (wanted < least_zoom * size || wanted > most_zoom * size) return;
+  hold();
   look_.view = scene::zoom_at(layout.view, layout.sheet.page.to_world(point_of(at)), factor);
   look_moved();
 }
@@ -349,8 +366,7 @@ void SpaceWidget::drag_marker(MarkerDrag phase, QPointF pixel) {
   if (space_ == nullptr || !marker_) return;
   const space::Sheet& sheet = space_->layout().sheet;
   if (phase == MarkerDrag::Begins) {  // pictures that arrive on the way stand where this one does
-    if (!look_.view) look_.view = space_->layout().view;
-    if (!look_.camera.target) look_.camera.target = space::extent(shown_).centre();
+    hold();
     look_moved();
   }
   // From where it was taken hold of, which is not always its middle.

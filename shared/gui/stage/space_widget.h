@@ -107,6 +107,8 @@ class SpaceWidget : public VtkFrames {
   [[nodiscard]] bool has_marker() const;
   void show_marks();
   void make_picker();
+  void hold();
+  [[nodiscard]] scene::space::Look held_look() const;
   /// Another look is to be drawn, quickly.
   void look_moved();
   void show_cursor();
@@ -122,6 +124,7 @@ class SpaceWidget : public VtkFrames {
   std::optional<Section> section_;
   double exaggeration_ = 1.0;  ///< Over that of the picture.
   scene::space::Look look_;
+  std::optional<geom::Point3> held_;   ///< What it turns about, once it has been moved.
   render::VtkSpace* space_ = nullptr;  ///< The stage, as long as there is one.
   std::optional<scene::Pick> marked_;
   std::vector<std::string> draggable_;
