@@ -72,6 +72,7 @@ namespace {
 
 constexpr scene::Color chart_crack_red{198, 40, 40};
 constexpr scene::Color chart_mesh_line{55, 71, 79, 150};
+constexpr scene::Color space_mesh_line{38, 50, 56};
 constexpr scene::Color isocurve_pink{216, 27, 96};
 constexpr scene::Color normal_violet{123, 31, 162};
 constexpr scene::Color face_fill{205, 220, 234};
@@ -209,8 +210,8 @@ void draw_surfaces(const model::Model& model, scene::Picture& picture) {
     const DrawnChart chart(faces[f].surface);
     scene::Panel panel{.key = chart_key(f), .title = {}, .axes = {}, .layers = {}};
     panel.title = fmt::format("{}: {}", translated("Chart"), faces[f].name);
-    panel.axes.x_title = translated("u, by the length in the middle [m]");
-    panel.axes.y_title = translated("v, by the length in the middle [m]");
+    panel.axes.x_title = translated("u (length) [m]");
+    panel.axes.y_title = translated("v (length) [m]");
     scene::Regions out;
     for (const LeftOut& part : left) {
       if (part.face != f) continue;
@@ -235,6 +236,9 @@ void draw_surfaces(const model::Model& model, scene::Picture& picture) {
     });
     picture.panels.push_back(std::move(panel));
   }
+  if (faces.size() > most_charts)
+    picture.notes.push_back(fmt::format(fmt::runtime(translated("Charts are those of the first {} of {} surfaces.")),
+                                        most_charts, faces.size()));
 }
 
 namespace {
@@ -260,7 +264,7 @@ scene::space::Layer space_mesh(const model::SurfaceMeshed& meshed) {
   const bool many = meshed.mesh.triangles.size() > many_triangles;
   return {"mesh",
           translated("Mesh"),
-          {.line = chart_mesh_line, .line_width = many ? 0.0 : 0.35},
+          {.line = space_mesh_line, .line_width = many ? 0.0 : 0.6},
           std::move(content),
           true,
           scene::InLegend::No,

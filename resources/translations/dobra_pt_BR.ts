@@ -6003,12 +6003,12 @@
         <translation>Carta</translation>
     </message>
     <message>
-        <source>u, by the length in the middle [m]</source>
-        <translation>u, pelo comprimento no meio [m]</translation>
+        <source>u (length) [m]</source>
+        <translation>u (comprimento) [m]</translation>
     </message>
     <message>
-        <source>v, by the length in the middle [m]</source>
-        <translation>v, pelo comprimento no meio [m]</translation>
+        <source>v (length) [m]</source>
+        <translation>v (comprimento) [m]</translation>
     </message>
     <message>
         <source>N/m</source>
@@ -6229,6 +6229,10 @@
     <message>
         <source>it has no such point any more</source>
         <translation>ele já não tem esse ponto</translation>
+    </message>
+    <message>
+        <source>Charts are those of the first {} of {} surfaces.</source>
+        <translation>As cartas são as das primeiras {} de {} superfícies.</translation>
     </message>
 </context>
 </TS>

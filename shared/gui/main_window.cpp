@@ -498,6 +498,7 @@ void MainWindow::show_picture() {
   scene::Picture listed = wanted;
   show_space(space_shown(listed));
   layers_->show_picture(listed);
+  actions_.refresh();                                // switches of layers
   if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more
   view_->set_picture(wanted, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
   canvas_->show_outcome(picture);

@@ -8,6 +8,7 @@
 #include "shared/gui/actions/find.h"
 #include "shared/gui/actions/registry.h"
 #include "shared/gui/documents/shown.h"
+#include "shared/gui/layer_tree.h"
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
@@ -30,7 +31,6 @@ class Palette;
 }
 class Canvas;
 class DrawBar;
-class LayerTree;
 class ParameterForm;
 class Results;
 class VtkWidget;
@@ -160,6 +160,7 @@ class MainWindow : public QMainWindow {
   /// What the bar over the picture in space has: layers, colours, the section plane.
   void add_space_switches();
   void show_section(bool on);
+  [[nodiscard]] std::vector<LayerTree::Listed> layers_in_space(const std::vector<std::string>& keys) const;
   [[nodiscard]] bool shows_layers(const std::vector<std::string>& keys) const;
   /// As the switches want it: without the colours of values.
   void without_colors(scene::Picture& plane) const;

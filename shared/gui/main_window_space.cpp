@@ -118,8 +118,9 @@ void MainWindow::show_views() {
   view_->setVisible(!space || (plane && looked_at_ == Views::Both));
   arrange_views();
   if (space && !before && looked_at_ == Views::Both) {
-    const int half = std::max(std::max(views_->width(), views_->height()) / 2, 1);
-    views_->setSizes({half, half});
+    const int all = std::max({views_->width(), views_->height(), 1});
+    const bool beside = views_->orientation() == Qt::Horizontal;
+    views_->setSizes({beside ? all / 2 : 2 * all / 5, beside ? all / 2 : 3 * all / 5});
   }
   actions_.refresh();
 }
@@ -201,13 +202,19 @@ void MainWindow::without_colors(scene::Picture& plane) const {
   }
 }
 
-bool MainWindow::shows_layers(const std::vector<std::string>& keys) const {
-  const auto listed = layers_->listed();
-  return std::any_of(listed.begin(), listed.end(), [&](const LayerTree::Listed& layer) {
-    return std::any_of(keys.begin(), keys.end(), [&](const std::string& key) {
-      return layer.visible && layer.key == std::string(scene::space::panel_key) + "/" + key;
+std::vector<LayerTree::Listed> MainWindow::layers_in_space(const std::vector<std::string>& keys) const {
+  std::vector<LayerTree::Listed> listed = layers_->listed();
+  std::erase_if(listed, [&](const LayerTree::Listed& layer) {
+    return std::none_of(keys.begin(), keys.end(), [&](const std::string& key) {
+      return layer.key == std::string(scene::space::panel_key) + "/" + key;
     });
   });
+  return listed;
+}
+
+bool MainWindow::shows_layers(const std::vector<std::string>& keys) const {
+  const auto listed = layers_in_space(keys);
+  return std::any_of(listed.begin(), listed.end(), [](const LayerTree::Listed& layer) { return layer.visible; });
 }
 
 void MainWindow::show_section(bool on) {
@@ -216,8 +223,10 @@ void MainWindow::show_section(bool on) {
 }
 
 void MainWindow::add_space_switches() {
-  const auto add = [this](const std::string& name, const std::string& words, const std::string& help, QKeySequence key,
-                          std::function<void()> run, std::function<bool()> is_on) {
+  const auto add = [this](
+                       const std::string& name, const std::string& words, const std::string& help, QKeySequence key,
+                       std::function<void()> run, std::function<bool()> is_on,
+                       std::function<bool()> can = [] { return true; }) {
     actions_.add({.id = "view.space." + name,
                   .text = words,
                   .help = help,
@@ -226,7 +235,7 @@ void MainWindow::add_space_switches() {
                   .bar = "space_bar",
                   .keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key},
                   .run = std::move(run),
-                  .enabled = [this] { return has_space(); },
+                  .enabled = [this, can = std::move(can)] { return has_space() && can(); },
                   .checked = std::move(is_on),
                   .scope = space_});
   };
@@ -244,7 +253,8 @@ void MainWindow::add_space_switches() {
           const bool on = !shows_layers(layers);
           for (const std::string& layer : layers) layers_->set_layer_visible(layer, on);
         },
-        [this, layers = each.layers] { return shows_layers(layers); });
+        [this, layers = each.layers] { return shows_layers(layers); },
+        [this, layers = each.layers] { return !layers_in_space(layers).empty(); });
   }
   add(
       "section", "Section", "A plane cuts the picture, to look inside; what is before it is not shown", {},

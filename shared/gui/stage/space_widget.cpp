@@ -378,6 +378,9 @@ void SpaceWidget::drag_marker(MarkerDrag phase, QPointF pixel) {
           : short_place(space::in_plane_of(sheet, begin->at + (point_of(pixel) - point_of(pressed_)), marker_->place),
                         marker_->place, space_->layout().view.world_per_point);
   show_marks();
+  space::SpacePick here = *marker_;
+  here.place = marker_at_;
+  emit cursor_moved(words_of(here));
   emit dragged(phase, *marker_, marker_at_);
 }
 

@@ -118,7 +118,9 @@ TEST(SurfaceEdits, PlacesThatNameNoPartAreRefusedWithTheReason) {
 
 /// The last places of a thin part need more digits than those of a wide one.
 TEST(SurfaceEdits, PlacesAreWrittenInFewDigitsThatLieInThePart) {
-  const Strips thin("[[input.trim]]\nname = \"third\"\nrole = \"cut\"\npoints = [[3.004, 0], [3.004, 3]]\n");
+  // Without the hole: near chords of a circle a place is on no known side.
+  const Strips thin("[[input.trim]]\nname = \"third\"\nrole = \"cut\"\npoints = [[3.004, 0], [3.004, 3]]\n",
+                    strips.substr(0, strips.find("[[input.trim]]\nname = \"window\"")));
   const Strips without = thin.turned({3.00223456789, 1.23456789});
   EXPECT_NEAR(thin.area() - without.area(), 3.0 * 0.004, 1e-9);
   const auto point_of = [](const Strips& of) {
