@@ -130,7 +130,7 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
     const Point low = units_.out(box.low), top = units_.out(box.high);
     Error error =
         refused(fmt::format("it leaves the chart of surface '{}', which goes from u = {:.6g} to {:.6g} and from "
-                            "v = {:.6g} to {:.6g}",
+                            "v = {:.6g} to {:.6g}: draw it within, or end it on a side",
                             name_, low.x, top.x, low.y, top.y),
                 p);
     error.place->x = error.place->y = error.place->z = std::nullopt;
