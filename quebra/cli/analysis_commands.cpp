@@ -158,6 +158,11 @@ void add_missing(scenario::Document& document, const std::string& operation, std
 /// @return the number of that step, 0-based.
 Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& operation,
                                scenario::Document& document) {
+  if (has_step(document, "shell") || document.input.find("surface") != nullptr)
+    return Error{ErrorCode::NotSupported,
+                 "surfaces are not analysed here: the step 'shell' writes decks for CalculiX and Nastran, `quebra run` "
+                 "makes them",
+                 base::Place{.file = document.file.string()}};
   if (!has_step(document, "problem"))
     return Error{ErrorCode::BadValue,
                  "the scenario has no step 'problem' with materials, supports and loads, so there is nothing to "

@@ -25,6 +25,9 @@
 #include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
 #include "shared/scenario/runner.h"
+#include "shared/surf/mesh/edge_in_space.h"
+#include "shared/surf/trim/area.h"
+#include "shared/surf/trim/open.h"
 
 namespace quebra::cli {
 namespace {
@@ -48,6 +51,7 @@ struct Verdict {
   Json curves = Json::array();
   Json points = Json::array();
   Json regions = Json::array();
+  Json surfaces = Json::array();
   std::vector<std::string> remarks;
   std::vector<std::string> faults;
 };
@@ -193,6 +197,50 @@ Verdict of_domain(const model::Model& model) {
   return verdict;
 }
 
+/// Names of borders and lines of a face, with their lengths in space.
+Json lines_of(const surf::trim::TrimmedSurface& face, const InUnits& in_units) {
+  Json lines = Json::array();
+  const auto add = [&](const surf::trim::ChartEdge& edge, const char* kind) {
+    if (edge.name.empty() || edge.name == surf::trim::artificial_border) return;
+    const double own = in_units(surf::mesh::EdgeInSpace(face.surface, edge).length());
+    const auto known =
+        std::find_if(lines.begin(), lines.end(), [&](const Json& line) { return line["name"] == edge.name; });
+    if (known != lines.end()) {
+      (*known)["length"] = (*known)["length"].get<double>() + own;
+    } else {
+      lines.push_back({{"name", edge.name}, {"kind", kind}, {"length", own}});
+    }
+  };
+  for (const auto& loop : face.loops) {
+    for (const auto& edge : loop.edges) add(edge, "border");
+  }
+  for (const auto& line : face.lines) {
+    const bool crack = line.kind == surf::trim::ChartLine::Kind::Crack;
+    for (const auto& edge : line.edges) add(edge, crack ? "crack" : "internal");
+  }
+  return lines;
+}
+
+/// Surfaces, by their names: areas, borders, lines and points.
+Verdict of_surfaces(const model::Model& model) {
+  const InUnits in_units(model.units);
+  Verdict verdict;
+  verdict.counts = {{"surfaces", model.surfaces->faces.size()}};
+  for (const surf::trim::TrimmedSurface& face : model.surfaces->faces) {
+    Json points = Json::array();
+    for (const auto& point : face.points) {
+      const geom::Point3 at = face.surface.at(point.at);
+      if (!point.name.empty())
+        points.push_back({{"name", point.name}, {"at", {in_units(at.x), in_units(at.y), in_units(at.z)}}});
+    }
+    verdict.surfaces.push_back({{"name", face.name},
+                                {"area", in_units(surf::trim::area(face).value, "m2")},
+                                {"lines", lines_of(face, in_units)},
+                                {"points", points}});
+  }
+  return verdict;
+}
+
 /// A scenario's input, or a file of geometry.
 Result<Verdict> of_geometry(Session& session, const CheckOptions& options) {
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_writable(*options.picture));
@@ -204,10 +252,15 @@ Result<Verdict> of_geometry(Session& session, const CheckOptions& options) {
   const scenario::Run run = runner.run(document, session.progress());
   if (run.error) return *run.error;
   const auto& model = scenario::model_of<model::Model>(run.states.back());
+  if (options.picture && model.surfaces) {
+    return base::Error{base::ErrorCode::BadUsage,
+                       "--picture draws the curves of a plane domain, and these are surfaces; `quebra mesh --picture` "
+                       "draws them with their mesh"};
+  }
   if (options.picture)
     DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::names_picture(model), model.units), *options.picture,
                                     dobra::cli::Drawer::Cairo));
-  Verdict verdict = of_domain(model);
+  Verdict verdict = model.surfaces ? of_surfaces(model) : of_domain(model);
   verdict.remarks = session.program.remarks_of(run.states.back());
   return verdict;
 }
@@ -241,6 +294,22 @@ std::string curves_text(const Verdict& verdict) {
   return text;
 }
 
+/// A line for every surface, below it those of its borders, lines and points.
+std::string surfaces_text(const Verdict& verdict) {
+  std::string text;
+  const auto name_of = [](const Json& item) { return io::shown(item["name"].get<std::string>()); };
+  for (const Json& surface : verdict.surfaces) {
+    text += fmt::format("{:<13} surface   area {:.6g}\n", name_of(surface), surface["area"].get<double>());
+    for (const Json& line : surface["lines"])
+      text += fmt::format("  {:<8} {:<20} length {:.6g}\n", line["kind"].get<std::string>(), name_of(line),
+                          line["length"].get<double>());
+    for (const Json& point : surface["points"])
+      text += fmt::format("  {:<8} {:<20} at ({:.6g}, {:.6g}, {:.6g})\n", "point", name_of(point),
+                          point["at"][0].get<double>(), point["at"][1].get<double>(), point["at"][2].get<double>());
+  }
+  return text;
+}
+
 // --- either ----------------------------------------------------------------------------------------------------------
 
 Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
@@ -265,12 +334,15 @@ std::string plain_text(const Verdict& verdict) {
     text += fmt::format("{:<13} {} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(),
                         io::shown(set["name"].get<std::string>()));
   }
-  return text + curves_text(verdict) + fmt::format("{:<13} {}\n", "faults", verdict.faults.size());
+  return text + curves_text(verdict) + surfaces_text(verdict) +
+         fmt::format("{:<13} {}\n", "faults", verdict.faults.size());
 }
 
 Json json_of(const Verdict& verdict) {
   Json json = verdict.counts;
-  if (!verdict.curves.empty()) {
+  if (!verdict.surfaces.empty()) {
+    json["surfaces"] = verdict.surfaces;
+  } else if (!verdict.curves.empty()) {
     json["curves"] = verdict.curves;
     json["points"] = verdict.points;
     json["regions"] = verdict.regions;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -40,6 +41,7 @@ class Doubts {
   Doubts(const surf::Surface& surface, std::span<const DrawnTrim> drawn, std::span<const TrimmedSurface> parts,
          const TrimmedSurface& left, const DoubtOptions& options)
       : surface_(surface), drawn_(drawn), left_(left), options_(options) {
+    for (const DrawnTrim& trim : drawn) boxes_.push_back(geom::box_of(trim.places));
     for (const TrimmedSurface& part : parts) {
       for (const auto& loop : part.loops) add(loop.edges, true);
       for (const auto& line : part.lines) add(line.edges, false);
@@ -68,20 +70,21 @@ class Doubts {
   struct Piece {
     std::string name;
     Point from, middle, to;
-    std::vector<Point> places;
-    bool parting = false;  ///< Different parts on its two sides, or nothing on one.
+    std::vector<Point3> at;  ///< Along it, in space.
+    bool parting = false;    ///< Different parts on its two sides, or nothing on one.
   };
 
   void add(const std::vector<ChartEdge>& edges, bool parting) {
     for (const ChartEdge& edge : edges) {
       Piece piece{edge.name, edge.start(), edge.at(0.5 * (edge.from + edge.to)), edge.end(), {}, parting};
-      const bool known = std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& other) {
-        return other.name == piece.name && same(other.middle, piece.middle);
-      });
+      std::vector<std::size_t>& own = of_[piece.name];
+      const bool known =
+          std::any_of(own.begin(), own.end(), [&](std::size_t i) { return same(pieces_[i].middle, piece.middle); });
       if (known) continue;
       constexpr int samples = 32;
       for (int i = 0; i <= samples; ++i)
-        piece.places.push_back(edge.at(std::lerp(edge.from, edge.to, static_cast<double>(i) / samples)));
+        piece.at.push_back(surface_.at(edge.at(std::lerp(edge.from, edge.to, static_cast<double>(i) / samples))));
+      own.push_back(pieces_.size());
       pieces_.push_back(std::move(piece));
     }
   }
@@ -118,15 +121,13 @@ class Doubts {
     const Point3 at = surface_.at(p);
     for (const Piece& piece : pieces_) {
       if (piece.name == name || is_seam(piece)) continue;
-      Point3 last = surface_.at(piece.places.front());
-      for (std::size_t i = 1; i < piece.places.size(); ++i) {
-        const Point3 next = surface_.at(piece.places[i]);
+      for (std::size_t i = 1; i < piece.at.size(); ++i) {
+        const Point3 last = piece.at[i - 1], next = piece.at[i];
         const geom::Vector3 way = next - last;
         const double square = dot(way, way);
         const double t = square > 0.0 ? std::clamp(dot(at - last, way) / square, 0.0, 1.0) : 0.0;
         const double distance = geom::distance(at, last + t * way);
         if (distance < best.distance) best = {distance, piece.name};
-        last = next;
       }
     }
     return best;
@@ -164,8 +165,8 @@ class Doubts {
                          [&](const auto& loop) { return std::any_of(loop.edges.begin(), loop.edges.end(), named); });
     };
     if (trim.role == TrimRole::Cut) {
-      const bool parts = std::any_of(pieces_.begin(), pieces_.end(),
-                                     [&](const Piece& piece) { return piece.name == trim.name && piece.parting; });
+      const std::vector<std::size_t>& own = of_[trim.name];
+      const bool parts = std::any_of(own.begin(), own.end(), [&](std::size_t i) { return pieces_[i].parting; });
       if (parts) return;
       const bool open = !meets_another(trim.places.front(), trim.name);
       say("cut_divides_nothing",
@@ -184,14 +185,11 @@ class Doubts {
 
   /// Where more than two of its pieces meet.
   void say_self_crossing(const DrawnTrim& trim) {
-    for (const Piece& piece : pieces_) {
-      if (piece.name != trim.name) continue;
-      for (const Point p : {piece.from, piece.to}) {
+    const std::vector<std::size_t>& own = of_[trim.name];
+    for (const std::size_t i : own) {
+      for (const Point p : {pieces_[i].from, pieces_[i].to}) {
         int ends = 0;
-        for (const Piece& other : pieces_) {
-          if (other.name != trim.name) continue;
-          ends += (same(other.from, p) ? 1 : 0) + (same(other.to, p) ? 1 : 0);
-        }
+        for (const std::size_t k : own) ends += (same(pieces_[k].from, p) ? 1 : 0) + (same(pieces_[k].to, p) ? 1 : 0);
         if (ends <= 2) continue;
         say("trims_cross",
             fmt::format("'{}' crosses itself here: inside is what it goes round an odd number of times", trim.name), p);
@@ -202,9 +200,9 @@ class Doubts {
 
   void say_crossing(const DrawnTrim& first, const DrawnTrim& second) {
     std::optional<Point> in, out;
-    for (const Piece& piece : pieces_) {
-      if (piece.name != second.name) continue;
-      (within(first, piece.middle) ? in : out) = piece.from;
+    for (const std::size_t i : of_[second.name]) {
+      (within(first, pieces_[i].middle) ? in : out) = pieces_[i].from;
+      if (in && out) break;
     }
     if (!in || !out) return;
     const bool holes = first.role == TrimRole::Hole && second.role == TrimRole::Hole;
@@ -218,10 +216,12 @@ class Doubts {
   /// Whole periods beside it too, where the surface closes.
   [[nodiscard]] bool within(const DrawnTrim& trim, Point p) const {
     const geom::Box& box = surface_.chart();
+    const geom::Box& round = boxes_[static_cast<std::size_t>(&trim - drawn_.data())];
     const double round_u = surface_.closed_u() ? box.width() : 0.0, round_v = surface_.closed_v() ? box.height() : 0.0;
     for (const double u : {0.0, -round_u, round_u}) {
       for (const double v : {0.0, -round_v, round_v}) {
-        if (encloses(trim.places, p + geom::Vector{u, v})) return true;
+        const Point there = p + geom::Vector{u, v};
+        if (round.contains(there) && encloses(trim.places, there)) return true;
       }
     }
     return false;
@@ -231,7 +231,9 @@ class Doubts {
   std::span<const DrawnTrim> drawn_;
   const TrimmedSurface& left_;
   DoubtOptions options_;
+  std::vector<geom::Box> boxes_;  ///< One a trim.
   std::vector<Piece> pieces_;
+  std::map<std::string, std::vector<std::size_t>> of_;  ///< Pieces by the names of their trims.
   std::vector<Finding> findings_;
 };
 

@@ -130,7 +130,7 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
     const Point low = units_.out(box.low), top = units_.out(box.high);
     Error error =
         refused(fmt::format("it leaves the chart of surface '{}', which goes from u = {:.6g} to {:.6g} and from "
-                            "v = {:.6g} to {:.6g}",
+                            "v = {:.6g} to {:.6g}: draw it within, or end it on a side",
                             name_, low.x, top.x, low.y, top.y),
                 p);
     error.place->x = error.place->y = error.place->z = std::nullopt;
@@ -260,12 +260,14 @@ Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::Sur
   std::vector<std::uint8_t> stays(count, 1), asked(count, 0);
   const bool outlines =
       std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn& d) { return d.role == TrimRole::Outline; });
+  std::vector<std::vector<Point>> ways;
+  for (const Drawn& drawn : drawn_) ways.push_back(samples(drawn.edges));
   for (std::size_t f = 0; f < count; ++f) {
     const Point p = inner_point(recognised.faces()[f]);
     bool outlined = !outlines;
     for (const Drawn& drawn : drawn_) {
       if (drawn.role != TrimRole::Hole && drawn.role != TrimRole::Outline) continue;
-      if (!encloses(samples(drawn.edges), p)) continue;
+      if (!encloses(ways[static_cast<std::size_t>(&drawn - drawn_.data())], p)) continue;
       if (drawn.role == TrimRole::Hole) stays[f] = 0;
       if (drawn.role == TrimRole::Outline) outlined = true;
     }

@@ -1,10 +1,12 @@
 #include "quebra/cli/check_command.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -146,6 +148,31 @@ std::optional<std::pair<double, double>> place_of(const std::string& svg, const 
   if (end == std::string::npos) return std::nullopt;
   const std::string tag = svg.substr(svg.rfind("<text", end), end - svg.rfind("<text", end));
   return std::pair{std::stod(tag.substr(tag.find(" x=\"") + 4)), std::stod(tag.substr(tag.find(" y=\"") + 4))};
+}
+
+TEST_F(CheckCommand, NamesOfSurfacesAreListedWithAreasAndLengths) {
+  const std::string file =
+      put("roof.toml",
+          "dobra = 1\nprogram = \"quebra\"\nunit_system = \"mm, N, MPa\"\n"
+          "[[input.surface]]\nname = \"roof\"\nkind = \"cylinder\"\nradius = 2\nu = [0, 90]\nv = [0, 3]\n"
+          "[[input.trim]]\nname = \"k\"\nkind = \"line\"\nrole = \"crack\"\npoints = [[45, 1], [45, 2]]\n"
+          "[[input.surface_point]]\nname = \"gauge\"\nat = [0, 1]\n");
+  const auto outcome = call({"check", file, "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json["surfaces"].size(), 1U);
+  const Json& roof = json["surfaces"][0];
+  EXPECT_NEAR(roof["area"].get<double>(), 3 * std::numbers::pi, 1e-6);  // mm2
+  std::map<std::string, double> lengths;
+  for (const Json& line : roof["lines"]) lengths[line["name"]] = line["length"].get<double>();
+  EXPECT_EQ(lengths.size(), 5U);
+  EXPECT_NEAR(lengths["roof_bottom"], std::numbers::pi, 1e-9);
+  EXPECT_NEAR(lengths["roof_left"], 3.0, 1e-9);
+  EXPECT_NEAR(lengths["k"], 1.0, 1e-9);
+  EXPECT_EQ(roof["points"][0]["name"], "gauge");
+  EXPECT_NEAR(roof["points"][0]["at"][2].get<double>(), 1.0, 1e-9);
+  EXPECT_THAT(call({"check", file}).out, testing::HasSubstr("'roof'        surface   area 9.42478"));
+  refuses({"check", file, "--picture", path("p.svg")}, 2, {"surfaces"});
 }
 
 TEST_F(CheckCommand, EveryNameHasItsPlaceInThePicture) {
