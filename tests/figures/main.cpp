@@ -45,6 +45,7 @@ int write_all(const Folder& folder, const std::string& ending) {
                              mesh_figures(), quality_figures(), surf_figures(), trim_figures(), paper_figures()}) {
     for (const Figure& figure : family) failed += failures(figure.name, write_figure(figure, folder, ending));
   }
+  failed += failures("boolean", write_solids(folder / ("boolean." + ending)));
   failed += failures("projection", write_projection(folder / ("projection." + ending)));
   const Folder examples = "resources/examples";
   failed += failures("fold", write_example(recon::core::program(), examples / "recon/fold.toml", folder / "fold.png"));

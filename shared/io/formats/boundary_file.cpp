@@ -9,7 +9,6 @@
 #include "shared/io/formats/format.h"
 #include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/stl.h"
-#include "shared/io/meshes/stl_facets.h"
 
 namespace dobra::io::formats {
 
