@@ -7,18 +7,7 @@ namespace quebra::surfaces {
 
 using namespace dobra;
 using base::Result;
-
-namespace {
-
-/// To the end, looking now and then whether it should stop.
-template <class Mesher>
-Result<void> finish(Mesher& mesher, const base::Progress& progress) {
-  constexpr std::size_t between_checks = 8192;
-  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
-  return {};
-}
-
-}  // namespace
+using surf::mesh::FaceMesh;
 
 Result<FilledFace> mesh_face(const surf::mesh::ChartInput& input, const SurfaceMeshOptions& options,
                              const base::Progress& progress) {
@@ -27,15 +16,15 @@ Result<FilledFace> mesh_face(const surf::mesh::ChartInput& input, const SurfaceM
         .largest = options.sizes.largest, .turn = options.sizes.turn, .passes = options.smoothing};
     paper.most_triangles = options.most_triangles;
     DOBRA_TRY(auto mesher, surf::paper::PaperMesher::start(input, paper, progress));
-    DOBRA_TRY_VOID(finish(mesher, progress));
+    constexpr std::size_t between_checks = 8192;
+    while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
     return FilledFace{mesher.mesh(), mesher.findings()};
   }
   surf::mesh::ChartMeshOptions front{.sizes = options.sizes};
   front.points.max_triangles = options.most_triangles;
   front.smoothing.passes = options.smoothing;
-  DOBRA_TRY(auto mesher, surf::mesh::ChartMesher::start(input, front, progress));
-  DOBRA_TRY_VOID(finish(mesher, progress));
-  return FilledFace{mesher.mesh(), {}};
+  DOBRA_TRY(FaceMesh made, surf::mesh::mesh_chart(input, front, progress));
+  return FilledFace{std::move(made), {}};
 }
 
 }  // namespace quebra::surfaces

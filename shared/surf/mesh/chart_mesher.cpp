@@ -201,11 +201,48 @@ FaceMesh ChartMesher::mesh() const {
   return made;
 }
 
+namespace {
+
+/// Triangles that look against the surface at their middle, and the first of them.
+struct Folds {
+  std::size_t count = 0;
+  geom::Point first;
+};
+
+Folds folds_of(const FaceMesh& face, const Surface& surface) {
+  Folds folds;
+  for (const auto& corners : face.chart.triangles) {
+    const auto at = [&](std::size_t i) { return face.at[corners[i].index()]; };
+    const auto place = [&](std::size_t i) { return face.chart.points[corners[i].index()] - geom::Point{}; };
+    const geom::Point middle = geom::Point{} + (place(0) + place(1) + place(2)) / 3.0;
+    const auto normal = surf::normal(surface, middle);
+    const geom::Vector3 u = at(1) - at(0), v = at(2) - at(0);
+    constexpr double none = 1e-9;  // of the sides: where two corners are one node at a pole there is no area
+    if (!normal || dot(*normal, cross(u, v)) >= -none * std::max(dot(u, u), dot(v, v))) continue;
+    if (folds.count++ == 0) folds.first = middle;
+  }
+  return folds;
+}
+
+}  // namespace
+
 Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options, const Progress& progress) {
   constexpr std::size_t between_checks = 8192;
-  DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, options, progress));
-  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
-  return mesher.mesh();
+  ChartMeshOptions own = options;
+  for (int attempt = 0;; ++attempt) {
+    DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, own, progress));
+    while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
+    FaceMesh made = mesher.mesh();
+    const Folds folds = folds_of(made, input.surface);
+    if (folds.count == 0) return made;
+    if (attempt == options.attempts) {
+      const geom::Point3 p = input.surface.at(folds.first);
+      return Error{ErrorCode::CannotMesh, "the mesh folds over itself here: use another size, or smaller ones",
+                   base::Place{.x = p.x, .y = p.y, .z = p.z, .u = folds.first.x, .v = folds.first.y}};
+    }
+    own.sizes.largest *= options.smaller;
+    own.sizes.turn *= options.smaller;
+  }
 }
 
 }  // namespace dobra::surf::mesh

@@ -23,7 +23,10 @@ struct ChartMeshOptions {
       .passes = 2, .enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
   int rounds = 3;            ///< Of flips and smoothing, after it; two at most before.
   std::size_t few = 20'000;  ///< Meshes of fewer triangles have one round more: more of their nodes are near a border.
-  TidyOptions tidy = {};     ///< Between two of them.
+  /// Where the mesh folds in space, mesh_chart begins again with sizes inside that are smaller by this, so often.
+  int attempts = 2;
+  double smaller = 0.93;
+  TidyOptions tidy = {};  ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.
@@ -61,7 +64,7 @@ class ChartMesher {
 /// @error  of build_domain (planar_domain.h): NotFinite, InvalidOption, CannotMesh, SelfIntersection, OutsideDomain,
 /// with
 ///         the place in the chart; InvalidOption: sizes; DegenerateCurve: no normal inside, with the place;
-///         TooManyElements with advice; Cancelled.
+///         TooManyElements with advice; CannotMesh: it folds in space, with the place; Cancelled.
 /// @cost   O(n log n) in the number n of triangles; about three jets of the surface a node.
 base::Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options = {},
                                   const base::Progress& progress = {});
