@@ -204,6 +204,23 @@ TEST(Open, AHoleCloseToThePoleAndItsWavyRimAreWhereTheyWere) {
   }
 }
 
+TEST(Open, AMeshHasANodeAtATipAndNeedsNoneAtASmoothPole) {
+  SharedNumbers numbers;
+  const auto points_of = [&](const Surface& surface) {
+    const auto whole = recognise(surface, {});
+    std::size_t count = 0;
+    for (const Opened& each : *open(whole->faces().front(), numbers)) {
+      for (const ChartPoint& point : each.face.points) {
+        EXPECT_LE(geom::distance(each.face.surface.at(point.at), {}), 1e-12);
+        ++count;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(points_of(*Surface::cone({}, 0.0, 0.5, {{0, 0}, {2 * pi, 3}})), 1U);
+  EXPECT_EQ(points_of(*Surface::sphere({}, 2.0, {{0, -0.5 * pi}, {2 * pi, 0.1}})), 0U);
+}
+
 TEST(Open, ALuneIsTwoSectors) {
   const Surface lune = *Surface::sphere({}, 3.0, {{0.2, -0.5 * pi}, {1.4, 0.5 * pi}});
   SharedNumbers numbers;
