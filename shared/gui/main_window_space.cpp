@@ -1,6 +1,8 @@
 // The window and its view in space: beside the plane where the program has something there, picking linked both ways.
 #include <QAction>
 #include <QApplication>
+#include <QPainter>
+#include <QPolygonF>
 #include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -22,6 +24,20 @@ namespace {
 
 constexpr double wide_enough = 1.4;  ///< For two pictures side by side, by the height.
 const scene::Color plain_fill{0xd7, 0xe3, 0xea};
+
+/// Three triangles of one surface, one of them filled.
+void draw_colors(QPainter& painter) {
+  painter.drawPolygon(QPolygonF({{3, 19}, {12, 4}, {21, 19}}));
+  painter.drawLine(QPointF(7.5, 11.5), QPointF(12, 19));
+  painter.setBrush(painter.pen().color());
+  painter.drawPolygon(QPolygonF({{12, 19}, {16.5, 11.5}, {21, 19}}));
+}
+
+/// A block and the plane that cuts it.
+void draw_section(QPainter& painter) {
+  painter.drawPolyline(QPolygonF({{12, 6}, {4, 6}, {4, 18}, {12, 18}}));
+  painter.drawPolygon(QPolygonF({{12, 3}, {19, 7}, {19, 21}, {12, 17}}));
+}
 
 }  // namespace
 
@@ -224,7 +240,7 @@ void MainWindow::show_section(bool on) {
 
 void MainWindow::add_space_switches() {
   const auto add = [this](
-                       const std::string& name, const std::string& words, const std::string& help, QKeySequence key,
+                       const std::string& name, const std::string& words, const std::string& help, theme::Draw icon,
                        std::function<void()> run, std::function<bool()> is_on,
                        std::function<bool()> can = [] { return true; }) {
     actions_.add({.id = "view.space." + name,
@@ -233,14 +249,13 @@ void MainWindow::add_space_switches() {
                   .menu = "&View/View in &space",
                   .section = "switches",
                   .bar = "space_bar",
-                  .keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key},
+                  .icon = icon,
                   .run = std::move(run),
                   .enabled = [this, can = std::move(can)] { return has_space() && can(); },
-                  .checked = std::move(is_on),
-                  .scope = space_});
+                  .checked = std::move(is_on)});
   };
   add(
-      "colors", "Colours", "Surfaces have the colours of their values; the legend says which", {},
+      "colors", "Colours", "Surfaces have the colours of their values; the legend says which", draw_colors,
       [this] {
         colored_ = !colored_;
         show_picture();
@@ -248,7 +263,7 @@ void MainWindow::add_space_switches() {
       [this] { return colored_; });
   for (const LayerSwitch& each : part_.space.switches) {
     add(
-        "show." + each.name, each.text, each.help, each.key,
+        "show." + each.name, each.text, each.help, each.icon,
         [this, layers = each.layers] {
           const bool on = !shows_layers(layers);
           for (const std::string& layer : layers) layers_->set_layer_visible(layer, on);
@@ -257,7 +272,7 @@ void MainWindow::add_space_switches() {
         [this, layers = each.layers] { return !layers_in_space(layers).empty(); });
   }
   add(
-      "section", "Section", "A plane cuts the picture, to look inside; what is before it is not shown", {},
+      "section", "Section", "A plane cuts the picture, to look inside; what is before it is not shown", draw_section,
       [this] { show_section(!space_->section()); }, [this] { return space_->section().has_value(); });
   actions_.fill(*space_bar_, "space_bar");
 }

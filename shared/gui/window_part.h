@@ -35,8 +35,8 @@ struct LayerSwitch {
   std::string name;  ///< Its action is "view.space.show.NAME".
   std::string text;  ///< As menus and the bar over the picture show it, English source.
   std::string help;  ///< A sentence, English source.
+  theme::Draw icon;  ///< As of theme::icon.
   std::vector<std::string> layers;
-  QKeySequence key = {};  ///< Where the picture in space has the focus; none of 1 to 8.
 };
 
 /// A file that is no scenario and becomes a document of its own.
