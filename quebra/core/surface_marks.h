@@ -26,7 +26,7 @@ std::vector<Isocurve> isocurves(const dobra::surf::mesh::SurfaceMesh& mesh,
 /// From the middles of at most `most` triangles, evenly through their list, as long as the mean of the sides; away from
 /// where the triangles are anticlockwise.
 std::vector<std::vector<dobra::geom::Point3>> normals(const dobra::surf::mesh::SurfaceMesh& mesh,
-                                                      std::size_t most = 2000);
+                                                      std::size_t most = 500);
 
 /// What loops enclose in a chart, as triangles on the surface: to be looked at and clicked, not to compute with. Empty
 /// where the loops do not close in the chart, as all round a cylinder.

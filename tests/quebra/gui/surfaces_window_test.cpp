@@ -216,6 +216,39 @@ TEST(SurfacesWindow, GUI_b_APartIsChosenByAClickInSpaceAndTakenInAgain) {
   EXPECT_EQ(window.layer(core::left_out_layer), nullptr);
 }
 
+/// Numbers of the document and of the pictures are millimetres, those of the model metres.
+TEST(SurfacesWindow, GUI_b_PartsAndPointsAreInTheUnitsOfTheDocument) {
+  SurfaceWindow window;
+  std::string text = strips;
+  text.replace(text.find("\n\n"), 1, "\nunit_system = \"mm, N, MPa\"\n");
+  window.open_text(text);
+  ASSERT_TRUE(window->actions().trigger("draw.part"));
+  window.click(window.pixel(window.panel("chart_1"), {4.4, 2.0}));
+  window.settle();
+  EXPECT_NEAR(window.area(), 18.0, 1e-9);  // mm2
+  const auto entries = scenario::entries_of(window.document().input, "part");
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_NEAR(std::get<Point>(*entries[0].find("at")).x, 4.4, 0.05);
+  std::string bent = patch;
+  bent.replace(bent.find("\n\n"), 1, "\nunit_system = \"mm, N, MPa\"\n");
+  window.open_text(bent);
+  ASSERT_TRUE(window->actions().trigger("draw.select"));
+  if (!window.layer("controls")->visible) ASSERT_TRUE(window->actions().trigger("view.space.show.controls"));
+  window.space().look_from(StandardView::Front);
+  QCoreApplication::processEvents();
+  const QPointF from = *window.space().pixel_of({3.0, 0.0, 4.0});
+  const QPointF to = *window.space().pixel_of({3.0, 0.0, 6.0});
+  QTest::mousePress(&window.space(), Qt::LeftButton, {}, from.toPoint());
+  window.move_space(0.5 * (from + to));
+  window.move_space(to);
+  QTest::mouseRelease(&window.space(), Qt::LeftButton, {}, to.toPoint());
+  window.settle();
+  const auto moved = scenario::entries_of(window.document().input, "space_curve");
+  const auto points = std::get<std::vector<Point3>>(*moved.at(0).find("points"));
+  EXPECT_NEAR(points[1].z, 6.0, 0.1);
+  EXPECT_EQ(points[1].x, 3.0);
+}
+
 TEST(SurfacesWindow, TheOnlyPartStaysAndTheWindowSaysWhy) {
   SurfaceWindow window;
   window.open_text(patch);
