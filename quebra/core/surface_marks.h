@@ -19,7 +19,7 @@ struct Isocurve {
   std::vector<dobra::geom::Point3> line;
   std::vector<dobra::geom::Point> chart;
 };
-/// So many lines each way divide the range of each chart in equal parts. @cost O(triangles x each way)
+/// So many lines each way divide the range of each chart in equal parts. @cost O(triangles)
 std::vector<Isocurve> isocurves(const dobra::surf::mesh::SurfaceMesh& mesh,
                                 const std::vector<dobra::surf::trim::TrimmedSurface>& faces, int each_way = 9);
 

@@ -233,7 +233,7 @@ TEST(SurfacesWindow, GUI_b_PartsAndPointsAreInTheUnitsOfTheDocument) {
   bent.replace(bent.find("\n\n"), 1, "\nunit_system = \"mm, N, MPa\"\n");
   window.open_text(bent);
   ASSERT_TRUE(window->actions().trigger("draw.select"));
-  if (!window.layer("controls")->visible) ASSERT_TRUE(window->actions().trigger("view.space.show.controls"));
+  ASSERT_TRUE(window->actions().trigger("view.space.show.controls"));
   window.space().look_from(StandardView::Front);
   QCoreApplication::processEvents();
   const QPointF from = *window.space().pixel_of({3.0, 0.0, 4.0});
