@@ -10,6 +10,7 @@
 #include "quebra/gui/crack_panel.h"
 #include "quebra/gui/crack_tool.h"
 #include "quebra/gui/part_tool.h"
+#include "quebra/gui/surfaces_shown.h"
 #include "shared/gui/window_part.h"
 
 namespace quebra::gui {
@@ -81,6 +82,8 @@ dobra::gui::WindowPart window_part() {
                     draw_controls,
                     {core::controls_layer, "control_lines"}},
                },
+           .panel_of = chart_with,
+           .panel = chart_panel,
            .dragged = make_control_drag()},
       .files = {{core::brep_files(), core::document_of_brep}}};
 }

@@ -64,6 +64,8 @@ void MainWindow::make_space_view() {
   connect(space_, &stage::SpaceWidget::cursor_moved, this,
           [this](const QString& where) { status_->show_place(where); });
   connect(space_, &stage::SpaceWidget::clicked, this, [this](const std::optional<scene::space::SpacePick>& pick) {
+    if (pick) ask_for_panel({pick->pick, pick->place, pick->chart});
+    space_->mark(pick ? std::optional(pick->pick) : std::nullopt);
     view_->mark(pick ? std::optional(pick->pick) : std::nullopt);
     canvas_->say(pick ? space_->words_of(*pick) : text("Nothing here."));
     if (pick) point_at({pick->pick, pick->place, pick->chart});
@@ -85,6 +87,23 @@ void MainWindow::make_space_view() {
 
 void MainWindow::point_at(const stage::ItemAt& item) {
   if (part_.space.clicked) part_.space.clicked({session_, *canvas_}, item);
+}
+
+void MainWindow::ask_for_panel(const stage::ItemAt& item) {
+  if (!part_.space.panel_of || !session_.outcome()->picture) return;
+  const std::string key = part_.space.panel_of({session_, *canvas_}, item);
+  const auto& panels = session_.outcome()->picture->panels;
+  const bool there = std::any_of(panels.begin(), panels.end(), [&](const auto& panel) { return panel.key == key; });
+  // One that stands in the place of another goes when that is asked for.
+  if (key.empty() || key == asked_panel_ || (there && (asked_panel_.empty() || key != panels.back().key))) return;
+  asked_panel_ = there ? std::string() : key;
+  show_picture();
+}
+
+void MainWindow::add_asked_panel(scene::Picture& picture) {
+  if (asked_panel_.empty() || !part_.space.panel || picture.panels.empty()) return;
+  auto asked = part_.space.panel({session_, *canvas_}, asked_panel_);
+  if (asked) picture.panels.back() = *std::move(asked);
 }
 
 bool MainWindow::has_space() const { return session_.outcome() != nullptr && session_.outcome()->space != nullptr; }

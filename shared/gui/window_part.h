@@ -52,6 +52,10 @@ struct SpacePart {
       {};                                   ///< In space, or in a panel of the plane beside it.
   std::vector<std::string> draggable = {};  ///< Layers of markers that can be dragged.
   std::vector<LayerSwitch> switches = {};
+  /// The key of the panel of the plane in which an item of space is drawn; empty: in none.
+  std::function<std::string(const Desk&, const stage::ItemAt&)> panel_of = {};
+  /// Such a panel, where the picture does not have it: shown in the place of its last one. In the document's units.
+  std::function<std::optional<scene::Panel>(const Desk&, const std::string& key)> panel = {};
   /// A marker on its way in the plane of the screen through it.
   std::function<void(const Desk&, stage::MarkerDrag, const stage::ItemAt&, const geom::Point3& to)> dragged = {};
 };
