@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string_view>
+
 #include "shared/surf/measure.h"
 
 namespace quebra::core {
@@ -11,10 +14,12 @@ using namespace dobra;
 std::string chart_key(std::size_t face) { return fmt::format("chart_{}", face + 1); }
 
 std::optional<std::size_t> face_of_chart(const std::string& panel) {
-  for (std::size_t face = 0; face < most_charts; ++face) {
-    if (chart_key(face) == panel) return face;
-  }
-  return std::nullopt;
+  constexpr std::string_view begin = "chart_";
+  std::size_t number = 0;
+  if (!panel.starts_with(begin)) return std::nullopt;
+  const auto read = std::from_chars(panel.data() + begin.size(), panel.data() + panel.size(), number);
+  if (read.ec != std::errc() || read.ptr != panel.data() + panel.size() || number == 0) return std::nullopt;
+  return number - 1;
 }
 
 DrawnChart::DrawnChart(const surf::Surface& surface) : low_(surface.chart().low) {

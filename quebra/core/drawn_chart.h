@@ -9,7 +9,7 @@
 
 namespace quebra::core {
 
-/// Panels of so many charts stand beside each other; those of further faces are not shown.
+/// Panels of so many charts stand beside each other; those of further faces are shown when they are asked for.
 inline constexpr std::size_t most_charts = 4;
 /// Of the panel that shows the chart of a face: "chart_1" of face 0.
 std::string chart_key(std::size_t face);

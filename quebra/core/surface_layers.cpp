@@ -197,45 +197,61 @@ scene::Layer isocurves_in_chart(const std::vector<Isocurve>& curves, std::size_t
           false};
 }
 
+/// What charts are drawn from.
+struct Charts {
+  explicit Charts(const model::Model& model) : set(*model.surfaces), edges(edges_of(set.faces)), left(left_out(set)) {
+    if (model.surface_meshes.empty()) return;
+    meshed = model.surface_meshes.back().get();
+    curves = isocurves(meshed->mesh, set.faces);
+  }
+  const model::SurfaceSet& set;
+  const std::vector<Numbered> edges;
+  const std::vector<LeftOut> left;
+  const model::SurfaceMeshed* meshed = nullptr;
+  std::vector<Isocurve> curves;
+};
+
+scene::Panel chart_panel(const Charts& of, std::size_t f) {
+  const auto& faces = of.set.faces;
+  const DrawnChart chart(faces[f].surface);
+  scene::Panel panel{.key = chart_key(f), .title = {}, .axes = {}, .layers = {}};
+  panel.title = fmt::format("{}: {}", translated("Chart"), faces[f].name);
+  panel.axes.x_title = translated("u (length) [m]");
+  panel.axes.y_title = translated("v (length) [m]");
+  scene::Regions out;
+  for (const LeftOut& part : of.left) {
+    if (part.face != f) continue;
+    out.regions.push_back(region_of(part.part->loops, chart));
+    out.ids.push_back(part.item);
+  }
+  if (!out.regions.empty())
+    panel.layers.push_back(regions_layer(left_out_layer, translated("Parts left out"), left_out_fill, std::move(out)));
+  if (of.meshed != nullptr) {
+    panel.layers.push_back(mesh_layer(*of.meshed, f, chart));
+    panel.layers.push_back(isocurves_in_chart(of.curves, f, chart));
+  } else {
+    scene::Regions face{{region_of(faces[f].loops, chart)}, {static_cast<std::uint32_t>(f)}};
+    panel.layers.push_back(regions_layer(faces_layer, translated("Surface"), face_fill, std::move(face)));
+  }
+  std::vector<Numbered> own = of.edges;
+  std::erase_if(own, [&](const Numbered& edge) { return edge.face != f; });
+  add_edges<scene::Layer, scene::Lines>(own, panel.layers, [&](const Numbered& edge, scene::Lines& to) {
+    to.lines.push_back({sampled(*edge.edge, [&](geom::Point uv) { return chart.at(uv); }), false});
+    to.ids.push_back(edge.item);
+  });
+  return panel;
+}
+
 }  // namespace
+
+scene::Panel chart_of(const model::Model& model, std::size_t face) { return chart_panel(Charts(model), face); }
 
 void draw_surfaces(const model::Model& model, scene::Picture& picture) {
   picture.arrangement = scene::Arrangement::Grid;
   const auto& faces = model.surfaces->faces;
-  const std::vector<Numbered> edges = edges_of(faces);
-  const std::vector<LeftOut> left = left_out(*model.surfaces);
-  const model::SurfaceMeshed* meshed = model.surface_meshes.empty() ? nullptr : model.surface_meshes.back().get();
-  const std::vector<Isocurve> curves = meshed == nullptr ? std::vector<Isocurve>{} : isocurves(meshed->mesh, faces);
-  for (std::size_t f = 0; f < std::min(faces.size(), most_charts); ++f) {
-    const DrawnChart chart(faces[f].surface);
-    scene::Panel panel{.key = chart_key(f), .title = {}, .axes = {}, .layers = {}};
-    panel.title = fmt::format("{}: {}", translated("Chart"), faces[f].name);
-    panel.axes.x_title = translated("u (length) [m]");
-    panel.axes.y_title = translated("v (length) [m]");
-    scene::Regions out;
-    for (const LeftOut& part : left) {
-      if (part.face != f) continue;
-      out.regions.push_back(region_of(part.part->loops, chart));
-      out.ids.push_back(part.item);
-    }
-    if (!out.regions.empty())
-      panel.layers.push_back(
-          regions_layer(left_out_layer, translated("Parts left out"), left_out_fill, std::move(out)));
-    if (meshed != nullptr) {
-      panel.layers.push_back(mesh_layer(*meshed, f, chart));
-      panel.layers.push_back(isocurves_in_chart(curves, f, chart));
-    } else {
-      scene::Regions face{{region_of(faces[f].loops, chart)}, {static_cast<std::uint32_t>(f)}};
-      panel.layers.push_back(regions_layer(faces_layer, translated("Surface"), face_fill, std::move(face)));
-    }
-    std::vector<Numbered> own = edges;
-    std::erase_if(own, [&](const Numbered& edge) { return edge.face != f; });
-    add_edges<scene::Layer, scene::Lines>(own, panel.layers, [&](const Numbered& edge, scene::Lines& to) {
-      to.lines.push_back({sampled(*edge.edge, [&](geom::Point uv) { return chart.at(uv); }), false});
-      to.ids.push_back(edge.item);
-    });
-    picture.panels.push_back(std::move(panel));
-  }
+  const Charts charts(model);
+  for (std::size_t f = 0; f < std::min(faces.size(), most_charts); ++f)
+    picture.panels.push_back(chart_panel(charts, f));
   if (faces.size() > most_charts)
     picture.notes.push_back(fmt::format(fmt::runtime(translated("Charts are those of the first {} of {} surfaces.")),
                                         most_charts, faces.size()));

@@ -9,6 +9,8 @@ namespace quebra::core {
 
 /// @pre model.surfaces, here and below
 void draw_surfaces(const model::Model& model, dobra::scene::Picture& picture);
+/// The panel of one chart, m. @pre face < number of faces. @cost O(triangles of all faces)
+dobra::scene::Panel chart_of(const model::Model& model, std::size_t face);
 /// The mesh with its quality, borders, lines inside and cracks in space; before any mesh the borders alone.
 void draw_surfaces_in_space(const model::Model& model, dobra::scene::space::SpacePicture& picture);
 /// Counts, area, quality: of the last mesh by their plain names, of each as "mesh.1.elements".

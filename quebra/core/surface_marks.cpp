@@ -18,6 +18,7 @@ using geom::Point3;
 
 namespace {
 
+constexpr double rounding = 1e-3;  ///< Of the way between two lines: which triangles they may cross.
 constexpr scene::Color control_color{216, 92, 0};
 
 /// The pieces of one line of constant u or v in triangles, joined where they meet on the side of a triangle.
@@ -70,6 +71,21 @@ class Contour {
 };
 
 double coordinate(Point uv, bool along_u) { return along_u ? uv.x : uv.y; }
+
+struct Range {
+  double low, width;
+};
+Range range_of(const surf::Surface& surface, bool along_u) {
+  const geom::Box& box = surface.chart();
+  return along_u ? Range{box.low.x, box.width()} : Range{box.low.y, box.height()};
+}
+
+/// From the least to the greatest u or v of a triangle.
+std::pair<double, double> span(const std::array<Point, 3>& places, bool along_u) {
+  const double a = coordinate(places[0], along_u), b = coordinate(places[1], along_u),
+               c = coordinate(places[2], along_u);
+  return {std::min({a, b, c}), std::max({a, b, c})};
+}
 
 /// Where a line of the chart crosses triangle `t`, if it does. A corner on the line counts as above it.
 void cross(const surf::mesh::SurfaceMesh& mesh, std::size_t t, bool along_u, double value, Contour& contour) {
@@ -135,27 +151,29 @@ std::optional<mesh::TriangleMesh> triangulated(const std::vector<std::vector<Poi
 
 std::vector<Isocurve> isocurves(const surf::mesh::SurfaceMesh& mesh,
                                 const std::vector<surf::trim::TrimmedSurface>& faces, int each_way) {
-  std::vector<std::vector<std::size_t>> triangles(faces.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) triangles[mesh.faces[t]].push_back(t);
-  std::vector<Isocurve> all;
-  std::uint32_t item = 0;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const surf::Surface& surface = faces[f].surface;
-    const geom::Box& box = surface.chart();
+  const auto lines = static_cast<std::size_t>(each_way);
+  std::vector<Contour> contours(2 * lines * faces.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const surf::Surface& surface = faces[mesh.faces[t]].surface;
     for (const bool along_u : {true, false}) {
-      const double low = along_u ? box.low.x : box.low.y, range = along_u ? box.width() : box.height();
+      const Range chart = range_of(surface, along_u);
+      const double step = chart.width / (each_way + 1);
       const bool closed = along_u ? surface.closed_u() : surface.closed_v();
-      for (int k = 1; k <= each_way; ++k, ++item) {
-        Contour contour;
-        const double value = low + range * k / (each_way + 1);
-        for (const std::size_t t : triangles[f]) {
-          for (const double turn : {0.0, -range, range}) {
-            if (turn == 0.0 || closed) cross(mesh, t, along_u, value + turn, contour);
-          }
-        }
-        for (Isocurve& line : contour.lines(f, item)) all.push_back(std::move(line));
+      const std::size_t first = lines * (2 * mesh.faces[t] + (along_u ? 0 : 1));
+      for (const double turn : {0.0, -chart.width, chart.width}) {
+        if (turn != 0.0 && !closed) continue;
+        const auto [low, high] = span(mesh.places[t], along_u);
+        const double begin = std::clamp(std::ceil((low - chart.low - turn) / step - rounding), 1.0, each_way + 1.0);
+        const double end = std::clamp(std::floor((high - chart.low - turn) / step + rounding), 0.0, 1.0 * each_way);
+        for (double k = begin; k <= end; k += 1.0)
+          cross(mesh, t, along_u, chart.low + turn + step * k, contours[first + static_cast<std::size_t>(k) - 1]);
       }
     }
+  }
+  std::vector<Isocurve> all;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    for (Isocurve& line : contours[i].lines(i / (2 * lines), static_cast<std::uint32_t>(i)))
+      all.push_back(std::move(line));
   }
   return all;
 }

@@ -19,14 +19,14 @@ struct Isocurve {
   std::vector<dobra::geom::Point3> line;
   std::vector<dobra::geom::Point> chart;
 };
-/// So many lines each way divide the range of each chart in equal parts. @cost O(triangles x each way)
+/// So many lines each way divide the range of each chart in equal parts. @cost O(triangles)
 std::vector<Isocurve> isocurves(const dobra::surf::mesh::SurfaceMesh& mesh,
                                 const std::vector<dobra::surf::trim::TrimmedSurface>& faces, int each_way = 9);
 
 /// From the middles of at most `most` triangles, evenly through their list, as long as the mean of the sides; away from
 /// where the triangles are anticlockwise.
 std::vector<std::vector<dobra::geom::Point3>> normals(const dobra::surf::mesh::SurfaceMesh& mesh,
-                                                      std::size_t most = 2000);
+                                                      std::size_t most = 500);
 
 /// What loops enclose in a chart, as triangles on the surface: to be looked at and clicked, not to compute with. Empty
 /// where the loops do not close in the chart, as all round a cylinder.

@@ -92,31 +92,7 @@ class PartTool : public canvas::Tool {
   std::vector<geom::Polyline> outline_;  ///< Of the part under the cursor.
 };
 
-/// The face that an item of the picture in space is of.
-std::optional<std::size_t> face_of(const model::Model& model, const dobra::scene::Pick& pick) {
-  const model::SurfaceSet& set = *model.surfaces;
-  if (pick.layer == core::faces_layer) return pick.id;
-  if (pick.layer == "mesh" && !model.surface_meshes.empty()) {
-    const auto& faces = model.surface_meshes.back()->mesh.faces;
-    return pick.id < faces.size() ? std::optional<std::size_t>(faces[pick.id]) : std::nullopt;
-  }
-  if (pick.layer != core::left_out_layer) return std::nullopt;
-  std::size_t before = 0;
-  for (std::size_t f = 0; f < set.parts.size(); ++f) {
-    before += set.parts[f].left_out.size();
-    if (pick.id < before) return f;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-const model::Model* model_with_surfaces(const dobra::gui::Session& session) {
-  const dobra::gui::documents::OutcomePtr& outcome = session.outcome();
-  if (!outcome || outcome->run.states.empty()) return nullptr;
-  const auto& model = dobra::scenario::model_of<model::Model>(outcome->run.states.back());
-  return model.surfaces ? &model : nullptr;
-}
 
 std::unique_ptr<canvas::Tool> make_part_tool(const dobra::gui::Desk& desk) {
   return std::make_unique<PartTool>(desk.session);

@@ -1,5 +1,8 @@
 #include "quebra/gui/window.h"
 
+#include <QPainter>
+#include <QPolygonF>
+
 #include "quebra/core/operations.h"
 #include "quebra/core/surface_marks.h"
 #include "quebra/core/surface_start.h"
@@ -7,9 +10,36 @@
 #include "quebra/gui/crack_panel.h"
 #include "quebra/gui/crack_tool.h"
 #include "quebra/gui/part_tool.h"
+#include "quebra/gui/surfaces_shown.h"
 #include "shared/gui/window_part.h"
 
 namespace quebra::gui {
+
+namespace {
+
+void draw_normals(QPainter& painter) {
+  painter.drawPolyline(QPolygonF({{3, 19}, {9, 15}, {15, 15}, {21, 19}}));
+  for (const double x : {7.0, 12.0, 17.0}) {
+    painter.drawLine(QPointF(x, 15), QPointF(x, 5));
+    painter.drawPolyline(QPolygonF({{x - 2, 8}, {x, 5}, {x + 2, 8}}));
+  }
+}
+
+void draw_isocurves(QPainter& painter) {
+  for (const double shift : {5.0, 12.0, 19.0}) {
+    painter.drawPolyline(QPolygonF({{3, shift}, {9, shift - 2}, {15, shift + 1}, {21, shift - 1}}));
+    painter.drawPolyline(QPolygonF({{shift, 3}, {shift - 1, 9}, {shift + 1, 15}, {shift, 21}}));
+  }
+}
+
+void draw_controls(QPainter& painter) {
+  const QPolygonF net({{4, 18}, {9, 6}, {16, 6}, {20, 17}});
+  painter.drawPolyline(net);
+  painter.setBrush(painter.pen().color());
+  for (const QPointF& point : net) painter.drawEllipse(point, 2, 2);
+}
+
+}  // namespace
 
 dobra::gui::WindowPart window_part() {
   return {
@@ -39,18 +69,22 @@ dobra::gui::WindowPart window_part() {
                   .make = [](const dobra::gui::Desk& desk, QWidget* parent) -> QWidget* {
                     return new CrackPanel(desk, parent);
                   }}},
-      .space = {.clicked = choose_part,
-                .draggable = {core::controls_layer},
-                .switches =
-                    {
-                        {"normals", "Normals", "Which way the triangles face", {core::normals_layer}},
-                        {"isocurves", "u, v lines", "Lines of constant u and v", {core::isocurves_layer}},
-                        {"controls",
-                         "Control points",
-                         "The points that curves and surfaces are given by; drag them",
-                         {core::controls_layer, "control_lines"}},
-                    },
-                .dragged = make_control_drag()},
+      .space =
+          {.clicked = choose_part,
+           .draggable = {core::controls_layer},
+           .switches =
+               {
+                   {"normals", "Normals", "Which way the triangles face", draw_normals, {core::normals_layer}},
+                   {"isocurves", "u, v lines", "Lines of constant u and v", draw_isocurves, {core::isocurves_layer}},
+                   {"controls",
+                    "Control points",
+                    "The points that curves and surfaces are given by; drag them",
+                    draw_controls,
+                    {core::controls_layer, "control_lines"}},
+               },
+           .panel_of = chart_with,
+           .panel = chart_panel,
+           .dragged = make_control_drag()},
       .files = {{core::brep_files(), core::document_of_brep}}};
 }
 

@@ -6019,8 +6019,8 @@
         <translation>Figura no espaço</translation>
     </message>
     <message>
-        <source>Arrow keys turn, with Shift they move; + and - zoom, F shows all, 1 to 8 look from the usual sides, Return tells what is in the middle.</source>
-        <translation>As setas giram, com Shift deslocam; + e - aproximam e afastam, F mostra tudo, de 1 a 8 olham dos lados usuais, Enter diz o que está no meio.</translation>
+        <source>Arrow keys turn, with Shift they move; + and - zoom, F shows all, 1 to 8 look from the usual sides.</source>
+        <translation>As setas giram, com Shift deslocam; + e - aproximam e afastam, F mostra tudo, de 1 a 8 olham dos lados usuais.</translation>
     </message>
     <message>
         <source>In space</source>

@@ -492,7 +492,9 @@ void MainWindow::show_outcome() {
 
 void MainWindow::show_picture() {
   if (!session_.outcome()) return;
-  const auto picture = std::make_shared<const scene::Picture>(picture_shown());
+  scene::Picture with_asked = picture_shown();
+  add_asked_panel(with_asked);
+  const auto picture = std::make_shared<const scene::Picture>(std::move(with_asked));
   scene::Picture wanted = layers_->chosen(*picture);
   without_colors(wanted);
   scene::Picture listed = wanted;

@@ -171,6 +171,9 @@ class MainWindow : public QMainWindow {
   void show_views();
   void arrange_views();
   void point_at(const stage::ItemAt& item);
+  /// Brings the panel into sight in which the item is drawn.
+  void ask_for_panel(const stage::ItemAt& item);
+  void add_asked_panel(scene::Picture& picture);
   void ask_save_space_picture();
   [[nodiscard]] scene::Picture picture_shown() const;
   /// Whether the program has an operation that can be watched at work.
@@ -249,6 +252,8 @@ class MainWindow : public QMainWindow {
   QToolBar* space_bar_ = nullptr;
   stage::SectionBar* section_ = nullptr;
   stage::SpaceWidget* space_ = nullptr;
+  std::string
+      asked_panel_;      ///< Of the plane, that the picture does not have: what was clicked in space is drawn there.
   bool colored_ = true;  ///< Surfaces have the colours of their values.
   QSplitter* views_ = nullptr;
   enum class Views { Both, Plane, Space } looked_at_ = Views::Both;  ///< Where there is a picture in space.

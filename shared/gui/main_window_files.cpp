@@ -236,6 +236,7 @@ void MainWindow::show_other_document() {
   error_.reset();
   show_nothing();
   layers_->forget_choices();
+  asked_panel_.clear();
   layers_->show_picture({});
   steps_->select(session_.document().steps.empty() ? 0 : 1);
 }

@@ -1,6 +1,8 @@
 // The window and its view in space: beside the plane where the program has something there, picking linked both ways.
 #include <QAction>
 #include <QApplication>
+#include <QPainter>
+#include <QPolygonF>
 #include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -22,6 +24,20 @@ namespace {
 
 constexpr double wide_enough = 1.4;  ///< For two pictures side by side, by the height.
 const scene::Color plain_fill{0xd7, 0xe3, 0xea};
+
+/// Three triangles of one surface, one of them filled.
+void draw_colors(QPainter& painter) {
+  painter.drawPolygon(QPolygonF({{3, 19}, {12, 4}, {21, 19}}));
+  painter.drawLine(QPointF(7.5, 11.5), QPointF(12, 19));
+  painter.setBrush(painter.pen().color());
+  painter.drawPolygon(QPolygonF({{12, 19}, {16.5, 11.5}, {21, 19}}));
+}
+
+/// A block and the plane that cuts it.
+void draw_section(QPainter& painter) {
+  painter.drawPolyline(QPolygonF({{12, 6}, {4, 6}, {4, 18}, {12, 18}}));
+  painter.drawPolygon(QPolygonF({{12, 3}, {19, 7}, {19, 21}, {12, 17}}));
+}
 
 }  // namespace
 
@@ -48,6 +64,8 @@ void MainWindow::make_space_view() {
   connect(space_, &stage::SpaceWidget::cursor_moved, this,
           [this](const QString& where) { status_->show_place(where); });
   connect(space_, &stage::SpaceWidget::clicked, this, [this](const std::optional<scene::space::SpacePick>& pick) {
+    if (pick) ask_for_panel({pick->pick, pick->place, pick->chart});
+    space_->mark(pick ? std::optional(pick->pick) : std::nullopt);
     view_->mark(pick ? std::optional(pick->pick) : std::nullopt);
     canvas_->say(pick ? space_->words_of(*pick) : text("Nothing here."));
     if (pick) point_at({pick->pick, pick->place, pick->chart});
@@ -69,6 +87,23 @@ void MainWindow::make_space_view() {
 
 void MainWindow::point_at(const stage::ItemAt& item) {
   if (part_.space.clicked) part_.space.clicked({session_, *canvas_}, item);
+}
+
+void MainWindow::ask_for_panel(const stage::ItemAt& item) {
+  if (!part_.space.panel_of || !session_.outcome()->picture) return;
+  const std::string key = part_.space.panel_of({session_, *canvas_}, item);
+  const auto& panels = session_.outcome()->picture->panels;
+  const bool there = std::any_of(panels.begin(), panels.end(), [&](const auto& panel) { return panel.key == key; });
+  // One that stands in the place of another goes when that is asked for.
+  if (key.empty() || key == asked_panel_ || (there && (asked_panel_.empty() || key != panels.back().key))) return;
+  asked_panel_ = there ? std::string() : key;
+  show_picture();
+}
+
+void MainWindow::add_asked_panel(scene::Picture& picture) {
+  if (asked_panel_.empty() || !part_.space.panel || picture.panels.empty()) return;
+  auto asked = part_.space.panel({session_, *canvas_}, asked_panel_);
+  if (asked) picture.panels.back() = *std::move(asked);
 }
 
 bool MainWindow::has_space() const { return session_.outcome() != nullptr && session_.outcome()->space != nullptr; }
@@ -224,7 +259,7 @@ void MainWindow::show_section(bool on) {
 
 void MainWindow::add_space_switches() {
   const auto add = [this](
-                       const std::string& name, const std::string& words, const std::string& help, QKeySequence key,
+                       const std::string& name, const std::string& words, const std::string& help, theme::Draw icon,
                        std::function<void()> run, std::function<bool()> is_on,
                        std::function<bool()> can = [] { return true; }) {
     actions_.add({.id = "view.space." + name,
@@ -233,14 +268,13 @@ void MainWindow::add_space_switches() {
                   .menu = "&View/View in &space",
                   .section = "switches",
                   .bar = "space_bar",
-                  .keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key},
+                  .icon = icon,
                   .run = std::move(run),
                   .enabled = [this, can = std::move(can)] { return has_space() && can(); },
-                  .checked = std::move(is_on),
-                  .scope = space_});
+                  .checked = std::move(is_on)});
   };
   add(
-      "colors", "Colours", "Surfaces have the colours of their values; the legend says which", {},
+      "colors", "Colours", "Surfaces have the colours of their values; the legend says which", draw_colors,
       [this] {
         colored_ = !colored_;
         show_picture();
@@ -248,7 +282,7 @@ void MainWindow::add_space_switches() {
       [this] { return colored_; });
   for (const LayerSwitch& each : part_.space.switches) {
     add(
-        "show." + each.name, each.text, each.help, each.key,
+        "show." + each.name, each.text, each.help, each.icon,
         [this, layers = each.layers] {
           const bool on = !shows_layers(layers);
           for (const std::string& layer : layers) layers_->set_layer_visible(layer, on);
@@ -257,7 +291,7 @@ void MainWindow::add_space_switches() {
         [this, layers = each.layers] { return !layers_in_space(layers).empty(); });
   }
   add(
-      "section", "Section", "A plane cuts the picture, to look inside; what is before it is not shown", {},
+      "section", "Section", "A plane cuts the picture, to look inside; what is before it is not shown", draw_section,
       [this] { show_section(!space_->section()); }, [this] { return space_->section().has_value(); });
   actions_.fill(*space_bar_, "space_bar");
 }

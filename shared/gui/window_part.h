@@ -35,8 +35,8 @@ struct LayerSwitch {
   std::string name;  ///< Its action is "view.space.show.NAME".
   std::string text;  ///< As menus and the bar over the picture show it, English source.
   std::string help;  ///< A sentence, English source.
+  theme::Draw icon;  ///< As of theme::icon.
   std::vector<std::string> layers;
-  QKeySequence key = {};  ///< Where the picture in space has the focus; none of 1 to 8.
 };
 
 /// A file that is no scenario and becomes a document of its own.
@@ -52,6 +52,10 @@ struct SpacePart {
       {};                                   ///< In space, or in a panel of the plane beside it.
   std::vector<std::string> draggable = {};  ///< Layers of markers that can be dragged.
   std::vector<LayerSwitch> switches = {};
+  /// The key of the panel of the plane in which an item of space is drawn; empty: in none.
+  std::function<std::string(const Desk&, const stage::ItemAt&)> panel_of = {};
+  /// Such a panel, where the picture does not have it: shown in the place of its last one. In the document's units.
+  std::function<std::optional<scene::Panel>(const Desk&, const std::string& key)> panel = {};
   /// A marker on its way in the plane of the screen through it.
   std::function<void(const Desk&, stage::MarkerDrag, const stage::ItemAt&, const geom::Point3& to)> dragged = {};
 };

@@ -46,8 +46,7 @@ SpaceWidget::SpaceWidget(QWidget* parent) : VtkFrames(parent) {
   setMouseTracking(true);
   setAccessibleName(text("Picture in space"));
   setAccessibleDescription(
-      text("Arrow keys turn, with Shift they move; + and - zoom, F shows all, 1 to 8 look from the usual sides, Return "
-           "tells what is in the middle."));
+      text("Arrow keys turn, with Shift they move; + and - zoom, F shows all, 1 to 8 look from the usual sides."));
   setMinimumSize(240, 200);
   show_cursor();
   connect(&bench_, &frames::Bench::arrived, this, [this] {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "quebra/core/surface_marks.h"
 #include "quebra/gui/surfaces_shown.h"
@@ -216,6 +217,39 @@ TEST(SurfacesWindow, GUI_b_APartIsChosenByAClickInSpaceAndTakenInAgain) {
   EXPECT_EQ(window.layer(core::left_out_layer), nullptr);
 }
 
+/// Numbers of the document and of the pictures are millimetres, those of the model metres.
+TEST(SurfacesWindow, GUI_b_PartsAndPointsAreInTheUnitsOfTheDocument) {
+  SurfaceWindow window;
+  std::string text = strips;
+  text.replace(text.find("\n\n"), 1, "\nunit_system = \"mm, N, MPa\"\n");
+  window.open_text(text);
+  ASSERT_TRUE(window->actions().trigger("draw.part"));
+  window.click(window.pixel(window.panel("chart_1"), {4.4, 2.0}));
+  window.settle();
+  EXPECT_NEAR(window.area(), 18.0, 1e-9);  // mm2
+  const auto entries = scenario::entries_of(window.document().input, "part");
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_NEAR(std::get<Point>(*entries[0].find("at")).x, 4.4, 0.05);
+  std::string bent = patch;
+  bent.replace(bent.find("\n\n"), 1, "\nunit_system = \"mm, N, MPa\"\n");
+  window.open_text(bent);
+  ASSERT_TRUE(window->actions().trigger("draw.select"));
+  ASSERT_TRUE(window->actions().trigger("view.space.show.controls"));
+  window.space().look_from(StandardView::Front);
+  QCoreApplication::processEvents();
+  const QPointF from = *window.space().pixel_of({3.0, 0.0, 4.0});
+  const QPointF to = *window.space().pixel_of({3.0, 0.0, 6.0});
+  QTest::mousePress(&window.space(), Qt::LeftButton, {}, from.toPoint());
+  window.move_space(0.5 * (from + to));
+  window.move_space(to);
+  QTest::mouseRelease(&window.space(), Qt::LeftButton, {}, to.toPoint());
+  window.settle();
+  const auto moved = scenario::entries_of(window.document().input, "space_curve");
+  const auto points = std::get<std::vector<Point3>>(*moved.at(0).find("points"));
+  EXPECT_NEAR(points[1].z, 6.0, 0.1);
+  EXPECT_EQ(points[1].x, 3.0);
+}
+
 TEST(SurfacesWindow, TheOnlyPartStaysAndTheWindowSaysWhy) {
   SurfaceWindow window;
   window.open_text(patch);
@@ -403,6 +437,39 @@ TEST(SurfacesWindow, ABoundaryModelOpensAsADocumentThatMeshesIt) {
   QString words;
   for (const QLabel* label : window->findChildren<QLabel*>()) words += label->text() + "\n";
   EXPECT_TRUE(words.contains("faces of a file") || words.contains("click inside")) << words.toStdString();
+}
+
+/// Nine faces, four charts side by side: that of a face that is clicked comes into the place of the last.
+TEST(SurfacesWindow, TheChartOfAFaceThatIsClickedComesIntoSight) {
+  SurfaceWindow window;
+  window.open_file(std::filesystem::path(DOBRA_SOURCE_DIR) / "tests/shared/io/brep/data/box_fillet.brep");
+  ASSERT_FALSE(window->session().outcome()->run.error);
+  const auto keys = [&] {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < window->view().panel_count(); ++i) all.push_back(window->view().panel_key(i));
+    return all;
+  };
+  const std::vector<std::string> before = keys();
+  ASSERT_EQ(before.size(), 4u);
+  const model::Model* model = model_with_surfaces(window->session());
+  const auto& mesh = model->surface_meshes.back()->mesh;
+  std::set<std::string> seen(before.begin(), before.end());
+  for (const StandardView side : {StandardView::Isometric, StandardView::Front}) {
+    window.space().look_from(side);
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += mesh.triangles.size() / 6) {
+      const Point3 a = mesh.point(mesh.triangles[t][0]), b = mesh.point(mesh.triangles[t][1]),
+                   c = mesh.point(mesh.triangles[t][2]);
+      window.click_space(a + (1.0 / 3.0) * ((b - a) + (c - a)));
+      if (!window.space().marked() || window.space().marked()->layer != "mesh") continue;
+      const std::string key = core::chart_key(mesh.faces[window.space().marked()->id]);
+      const std::vector<std::string> now = keys();
+      EXPECT_EQ(now.size(), 4u);
+      EXPECT_NE(std::find(now.begin(), now.end(), key), now.end()) << key;
+      EXPECT_EQ(window->view().marked(), window.space().marked());
+      seen.insert(key);
+    }
+  }
+  EXPECT_GT(seen.size(), 4u);
 }
 
 TEST(SurfacesWindow, AFileThatIsNoBoundaryModelIsRefusedWithItsPlace) {
