@@ -3,6 +3,7 @@
 #include "quebra/cli/analysis_commands.h"
 #include "quebra/cli/check_command.h"
 #include "quebra/cli/mesh_command.h"
+#include "quebra/cli/solid_command.h"
 #include "quebra/core/operations.h"
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"
@@ -29,8 +30,9 @@ int main(int argc, char** argv) {
   };
 #endif
   auto commands = quebra::cli::analysis_commands();
-  commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(),
-                                     quebra::cli::check_command(), dobra::cli::convert_command()});
+  commands.insert(commands.begin(),
+                  {dobra::cli::offset_command(), quebra::cli::mesh_command(), quebra::cli::check_command(),
+                   quebra::cli::solid_command(), dobra::cli::convert_command()});
   return dobra::fem::run_in_group(
       argc, argv, [&] { return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands); });
 }

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "quebra/core/surface_start.h"
 #include "quebra/repair/crack_flaws.h"
 #include "quebra/repair/flaws.h"
 #include "quebra/repair/repair.h"
@@ -240,7 +241,7 @@ std::vector<dobra::scenario::FileKind> input_files() {
   using dobra::io::formats::Use;
   std::vector<dobra::scenario::FileKind> kinds =
       dobra::scenario::lines::file_kinds({Use::ReadDrawing, Use::ReadLines, Use::ReadMesh});
-  kinds.push_back({"Boundary model", {".brep"}});
+  kinds.push_back(brep_files());
   return kinds;
 }
 
@@ -252,13 +253,13 @@ bool is_brep(const std::string& file) {
 
 namespace {
 
-/// A model of faces. @param units  what 1 of the written u and v of each is in its chart.
-model::Model model_of(std::vector<dobra::surf::trim::TrimmedSurface> faces, std::vector<dobra::geom::Vector> units,
-                      std::vector<dobra::surf::mesh::Finding> findings, const dobra::scenario::Context& context) {
+/// A model of faces.
+model::Model model_of(model::SurfaceSet set, std::vector<dobra::surf::mesh::Finding> findings,
+                      const dobra::scenario::Context& context) {
   model::Model model;
   model.units = context.shown_units;
   model.domain.unit = context.units.to_si(1.0, "m");
-  model.surfaces = std::make_shared<const model::SurfaceSet>(model::SurfaceSet{std::move(faces), std::move(units)});
+  model.surfaces = std::make_shared<const model::SurfaceSet>(std::move(set));
   model.surface_findings = std::move(findings);
   for (const auto& finding : model.surface_findings)
     model.remarks.push_back(surfaces::line_of(finding, finding.place.item.empty()));
@@ -303,7 +304,7 @@ Result<model::Model> read_faces(const InputParams& params, const dobra::scenario
     return error;
   }
   std::vector<dobra::geom::Vector> units(imported.faces.size(), {1.0, 1.0});
-  return model_of(std::move(imported.faces), std::move(units), std::move(imported.findings), context);
+  return model_of({std::move(imported.faces), std::move(units)}, std::move(imported.findings), context);
 }
 
 Result<model::Model> read_surfaces(const InputParams& params, const dobra::scenario::Table& table,
@@ -322,7 +323,9 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
     return Error{ErrorCode::BadValue, "every surface is a tool; give one with use = \"mesh\"", table.place("surface")};
   std::vector<dobra::geom::Vector> units;
   for (const surfaces::ChartUnits& own : made.units) units.push_back({own.u, own.v});
-  return model_of(std::move(made.faces), std::move(units), std::move(made.findings), context);
+  return model_of({std::move(made.faces), std::move(units), std::move(made.parts), std::move(made.chosen),
+                   std::move(made.controls), std::move(made.control_lines)},
+                  std::move(made.findings), context);
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "quebra/core/layers.h"
+#include "quebra/core/surface_marks.h"
 #include "quebra/model/mesh_files.h"
 #include "shared/base/text.h"
 #include "shared/mesh/quality.h"
 #include "shared/scene/color_map.h"
-#include "shared/surf/measure.h"
 
 namespace quebra::core {
 
@@ -69,51 +70,76 @@ std::vector<surf::mesh::Finding> findings_of(const model::Model& model) {
 
 namespace {
 
-/// A chart stretched so that its middle lines are as long as in space: places of all charts can be drawn to one scale.
-class DrawnChart {
- public:
-  explicit DrawnChart(const surf::Surface& surface) : low_(surface.chart().low) {
-    const geom::Box& box = surface.chart();
-    const geom::Point middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
-    u_ = surf::length(surface, {box.low.x, middle.y}, {box.high.x, middle.y}) / box.width();
-    v_ = surf::length(surface, {middle.x, box.low.y}, {middle.x, box.high.y}) / box.height();
-  }
-  [[nodiscard]] geom::Point at(geom::Point uv) const { return {u_ * (uv.x - low_.x), v_ * (uv.y - low_.y)}; }
-
- private:
-  geom::Point low_;
-  double u_ = 1.0, v_ = 1.0;
-};
-
 constexpr scene::Color chart_crack_red{198, 40, 40};
 constexpr scene::Color chart_mesh_line{55, 71, 79, 150};
+constexpr scene::Color space_mesh_line{38, 50, 56};
+constexpr scene::Color isocurve_pink{216, 27, 96};
+constexpr scene::Color normal_violet{123, 31, 162};
+constexpr scene::Color face_fill{205, 220, 234};
+constexpr scene::Color left_out_fill{224, 224, 224};
+constexpr scene::Color left_out_line{158, 158, 158};
 constexpr int samples_an_edge = 96;
 
-geom::Polyline drawn(const surf::trim::ChartEdge& edge, const DrawnChart& chart) {
-  geom::Polyline line;
-  for (int i = 0; i <= samples_an_edge; ++i) {
-    const double part = static_cast<double>(i) / samples_an_edge;
-    line.points.push_back(chart.at(edge.at(edge.from + part * (edge.to - edge.from))));
+/// Edges of a face, numbered alike in space and in charts: edges that are one curve have one number.
+struct Numbered {
+  const surf::trim::ChartEdge* edge;
+  std::size_t face;
+  std::uint32_t item;
+  enum class Of { Border, Line, Crack } of;
+};
+
+std::vector<Numbered> edges_of(const std::vector<surf::trim::TrimmedSurface>& faces) {
+  std::vector<Numbered> all;
+  std::map<surf::trim::SharedCurveId, std::uint32_t> shared;
+  std::uint32_t next = 0;
+  const auto add = [&](const surf::trim::ChartEdge& edge, std::size_t face, Numbered::Of of) {
+    std::uint32_t item = next;
+    if (edge.shared) item = shared.try_emplace(*edge.shared, next).first->second;
+    if (item == next) ++next;
+    all.push_back({&edge, face, item, of});
+  };
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (const auto& loop : faces[f].loops) {
+      for (const auto& edge : loop.edges) add(edge, f, Numbered::Of::Border);
+    }
+    for (const auto& line : faces[f].lines) {
+      const bool crack = line.kind == surf::trim::ChartLine::Kind::Crack;
+      for (const auto& edge : line.edges) add(edge, f, crack ? Numbered::Of::Crack : Numbered::Of::Line);
+    }
   }
-  return line;
+  return all;
 }
 
-void add_lines(const surf::trim::TrimmedSurface& face, const DrawnChart& chart, std::vector<scene::Layer>& layers) {
-  scene::Lines borders, inner, cracks;
-  for (const auto& loop : face.loops) {
-    for (const auto& edge : loop.edges) borders.lines.push_back(drawn(edge, chart));
+/// The layers of edges, of each kind that there is. @param put  adds an edge to a layer's content.
+template <class Layer, class Content, class Put>
+void add_edges(const std::vector<Numbered>& edges, std::vector<Layer>& layers, Put put) {
+  Content borders, inner, cracks;
+  for (const Numbered& edge : edges) {
+    Content& to = edge.of == Numbered::Of::Border ? borders : edge.of == Numbered::Of::Crack ? cracks : inner;
+    put(edge, to);
   }
-  for (const auto& line : face.lines) {
-    auto& to = line.kind == surf::trim::ChartLine::Kind::Crack ? cracks : inner;
-    for (const auto& edge : line.edges) to.lines.push_back(drawn(edge, chart));
-  }
-  const auto add = [&](const char* key, std::string title, const scene::Style& style, scene::Lines lines) {
-    if (!lines.lines.empty()) layers.push_back({key, std::move(title), style, std::move(lines)});
+  const auto add = [&](const char* key, std::string title, const scene::Style& style, Content content) {
+    if (content.lines.empty()) return;
+    Layer layer{key, std::move(title), style, std::move(content)};
+    layers.push_back(std::move(layer));
   };
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, std::move(borders));
   add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, std::move(inner));
   add("cracks", translated("Cracks"), {.line = chart_crack_red, .line_width = 1.8}, std::move(cracks));
 }
+
+template <class At>
+auto sampled(const surf::trim::ChartEdge& edge, At at) {
+  std::vector<decltype(at(geom::Point{}))> line;
+  for (int i = 0; i <= samples_an_edge; ++i) {
+    const double part = static_cast<double>(i) / samples_an_edge;
+    line.push_back(at(edge.at(edge.from + part * (edge.to - edge.from))));
+  }
+  return line;
+}
+
+scene::Scale alpha_scale() { return {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0}; }
+constexpr std::size_t many_triangles = 20000;
 
 scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, const DrawnChart& chart) {
   scene::Mesh content;
@@ -125,32 +151,94 @@ scene::Layer mesh_layer(const model::SurfaceMeshed& meshed, std::size_t face, co
     for (const geom::Point uv : meshed.mesh.places[t]) content.points.push_back(chart.at(uv));
     content.triangles.push_back({first, first + 1, first + 2});
     content.values.push_back(values[t]);
+    content.ids.push_back(static_cast<std::uint32_t>(t));
   }
-  content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
+  content.scale = alpha_scale();
   return {"mesh",
           translated("Mesh"),
-          {.line = chart_mesh_line, .line_width = values.size() > 20000 ? 0.1 : 0.35},
+          {.line = chart_mesh_line, .line_width = values.size() > many_triangles ? 0.1 : 0.35},
           std::move(content),
           true,
           scene::InLegend::No};
 }
 
+scene::Layer regions_layer(const char* key, std::string title, scene::Color fill, scene::Regions content) {
+  return {key, std::move(title), {.line = left_out_line, .line_width = 0.5, .fill = fill}, std::move(content)};
+}
+
+/// What of a face's surface is not meant, numbered among those of all faces.
+struct LeftOut {
+  std::size_t face;
+  const surf::trim::TrimmedSurface* part;
+  std::uint32_t item;
+};
+std::vector<LeftOut> left_out(const model::SurfaceSet& set) {
+  std::vector<LeftOut> all;
+  for (std::size_t f = 0; f < set.parts.size(); ++f) {
+    for (const std::size_t part : set.parts[f].left_out)
+      all.push_back({f, &set.parts[f].recognised->faces()[part], static_cast<std::uint32_t>(all.size())});
+  }
+  return all;
+}
+
+scene::Layer isocurves_in_chart(const std::vector<Isocurve>& curves, std::size_t face, const DrawnChart& chart) {
+  scene::Lines content;
+  for (const Isocurve& curve : curves) {
+    if (curve.face != face) continue;
+    geom::Polyline line;
+    for (const geom::Point uv : curve.chart) line.points.push_back(chart.at(uv));
+    content.lines.push_back(std::move(line));
+    content.ids.push_back(curve.item);
+  }
+  return {isocurves_layer,
+          translated("Lines of constant u and v"),
+          {.line = isocurve_pink, .line_width = 1.1},
+          std::move(content),
+          false};
+}
+
 }  // namespace
 
 void draw_surfaces(const model::Model& model, scene::Picture& picture) {
-  constexpr std::size_t most_charts = 4;
   picture.arrangement = scene::Arrangement::Grid;
   const auto& faces = model.surfaces->faces;
+  const std::vector<Numbered> edges = edges_of(faces);
+  const std::vector<LeftOut> left = left_out(*model.surfaces);
+  const model::SurfaceMeshed* meshed = model.surface_meshes.empty() ? nullptr : model.surface_meshes.back().get();
+  const std::vector<Isocurve> curves = meshed == nullptr ? std::vector<Isocurve>{} : isocurves(meshed->mesh, faces);
   for (std::size_t f = 0; f < std::min(faces.size(), most_charts); ++f) {
     const DrawnChart chart(faces[f].surface);
-    scene::Panel panel{.key = fmt::format("chart_{}", f + 1), .title = {}, .axes = {}, .layers = {}};
+    scene::Panel panel{.key = chart_key(f), .title = {}, .axes = {}, .layers = {}};
     panel.title = fmt::format("{}: {}", translated("Chart"), faces[f].name);
-    panel.axes.x_title = translated("u, by the length in the middle [m]");
-    panel.axes.y_title = translated("v, by the length in the middle [m]");
-    if (!model.surface_meshes.empty()) panel.layers.push_back(mesh_layer(*model.surface_meshes.back(), f, chart));
-    add_lines(faces[f], chart, panel.layers);
+    panel.axes.x_title = translated("u (length) [m]");
+    panel.axes.y_title = translated("v (length) [m]");
+    scene::Regions out;
+    for (const LeftOut& part : left) {
+      if (part.face != f) continue;
+      out.regions.push_back(region_of(part.part->loops, chart));
+      out.ids.push_back(part.item);
+    }
+    if (!out.regions.empty())
+      panel.layers.push_back(
+          regions_layer(left_out_layer, translated("Parts left out"), left_out_fill, std::move(out)));
+    if (meshed != nullptr) {
+      panel.layers.push_back(mesh_layer(*meshed, f, chart));
+      panel.layers.push_back(isocurves_in_chart(curves, f, chart));
+    } else {
+      scene::Regions face{{region_of(faces[f].loops, chart)}, {static_cast<std::uint32_t>(f)}};
+      panel.layers.push_back(regions_layer(faces_layer, translated("Surface"), face_fill, std::move(face)));
+    }
+    std::vector<Numbered> own = edges;
+    std::erase_if(own, [&](const Numbered& edge) { return edge.face != f; });
+    add_edges<scene::Layer, scene::Lines>(own, panel.layers, [&](const Numbered& edge, scene::Lines& to) {
+      to.lines.push_back({sampled(*edge.edge, [&](geom::Point uv) { return chart.at(uv); }), false});
+      to.ids.push_back(edge.item);
+    });
     picture.panels.push_back(std::move(panel));
   }
+  if (faces.size() > most_charts)
+    picture.notes.push_back(fmt::format(fmt::runtime(translated("Charts are those of the first {} of {} surfaces.")),
+                                        most_charts, faces.size()));
 }
 
 namespace {
@@ -160,7 +248,6 @@ scene::space::Layer space_mesh(const model::SurfaceMeshed& meshed) {
   std::vector<geom::Point3> points;
   std::vector<geom::Point> chart;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> ids;
   // A corner each, so that every one has its place in the chart of its face.
   for (std::size_t t = 0; t < meshed.mesh.triangles.size(); ++t) {
     const auto first = static_cast<std::uint32_t>(points.size());
@@ -169,57 +256,95 @@ scene::space::Layer space_mesh(const model::SurfaceMeshed& meshed) {
       chart.push_back(meshed.mesh.places[t][i]);
     }
     triangles.push_back({first, first + 1, first + 2});
-    ids.push_back(meshed.mesh.faces[t]);
   }
   content.points = std::move(points), content.chart = std::move(chart), content.triangles = std::move(triangles);
-  content.ids = std::move(ids);
   content.values_at = scene::ValuesAt::Triangles;
   content.values = alphas(meshed.mesh);
-  content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
-  const bool many = meshed.mesh.triangles.size() > 20000;
+  content.scale = alpha_scale();
+  const bool many = meshed.mesh.triangles.size() > many_triangles;
   return {"mesh",
           translated("Mesh"),
-          {.line = chart_mesh_line, .line_width = many ? 0.0 : 0.35},
+          {.line = space_mesh_line, .line_width = many ? 0.0 : 0.6},
           std::move(content),
           true,
           scene::InLegend::No,
           {}};
 }
 
-std::vector<geom::Point3> in_space(const surf::trim::ChartEdge& edge, const surf::Surface& surface) {
-  std::vector<geom::Point3> line;
-  for (int i = 0; i <= samples_an_edge; ++i) {
-    const double part = static_cast<double>(i) / samples_an_edge;
-    line.push_back(surface.at(edge.at(edge.from + part * (edge.to - edge.from))));
+/// Several areas as one layer.
+void add_areas(const char* key, std::string title, scene::Color fill, const std::vector<scene::space::Surface>& areas,
+               std::vector<scene::space::Layer>& layers) {
+  scene::space::Surface all;
+  for (const scene::space::Surface& area : areas) {
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    for (std::size_t i = 0; i < area.points.size(); ++i) {
+      all.points.push_back(area.points[i]);
+      all.chart.push_back(area.chart[i]);
+    }
+    for (std::size_t t = 0; t < area.triangles.size(); ++t) {
+      const auto& corners = area.triangles[t];
+      all.triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
+      all.ids.push_back(area.ids[t]);
+    }
   }
-  return line;
+  if (all.triangles.empty()) return;
+  layers.push_back(
+      {key, std::move(title), {.line_width = 0.0, .fill = fill}, std::move(all), true, scene::InLegend::Yes, {}});
+}
+
+void add_faces(const model::SurfaceSet& set, bool meshed, std::vector<scene::space::Layer>& layers) {
+  std::vector<scene::space::Surface> out, faces;
+  for (const LeftOut& part : left_out(set))
+    out.push_back(area_of(set.faces[part.face].surface, part.part->loops, part.item));
+  add_areas(left_out_layer, translated("Parts left out"), left_out_fill, out, layers);
+  if (meshed) return;
+  for (std::size_t f = 0; f < set.faces.size(); ++f)
+    faces.push_back(area_of(set.faces[f].surface, set.faces[f].loops, static_cast<std::uint32_t>(f)));
+  add_areas(faces_layer, translated("Surface"), face_fill, faces, layers);
+}
+
+/// For the user to switch on.
+void add_helping_lines(const model::SurfaceSet& set, const model::SurfaceMeshed& meshed,
+                       std::vector<scene::space::Layer>& layers) {
+  const auto add = [&](const char* key, std::string title, scene::Color color, double width,
+                       scene::space::Lines content) {
+    if (content.lines.empty()) return;
+    layers.push_back({key,
+                      std::move(title),
+                      {.line = color, .line_width = width},
+                      std::move(content),
+                      false,
+                      scene::InLegend::Yes,
+                      {}});
+  };
+  scene::space::Lines curves, arrows;
+  for (Isocurve& curve : isocurves(meshed.mesh, set.faces)) {
+    curves.lines.push_back(std::move(curve.line));
+    curves.ids.push_back(curve.item);
+  }
+  arrows.lines = normals(meshed.mesh);
+  add(isocurves_layer, translated("Lines of constant u and v"), isocurve_pink, 1.3, std::move(curves));
+  add(normals_layer, translated("Normals"), normal_violet, 0.9, std::move(arrows));
 }
 
 }  // namespace
 
 void draw_surfaces_in_space(const model::Model& model, scene::space::SpacePicture& picture) {
   if (!model.surfaces) return;
-  std::vector<std::vector<geom::Point3>> borders, inner, cracks;
-  for (const auto& face : model.surfaces->faces) {
-    for (const auto& loop : face.loops) {
-      for (const auto& edge : loop.edges) borders.push_back(in_space(edge, face.surface));
-    }
-    for (const auto& line : face.lines) {
-      auto& to = line.kind == surf::trim::ChartLine::Kind::Crack ? cracks : inner;
-      for (const auto& edge : line.edges) to.push_back(in_space(edge, face.surface));
-    }
+  const model::SurfaceSet& set = *model.surfaces;
+  const bool meshed = !model.surface_meshes.empty();
+  add_faces(set, meshed, picture.layers);
+  if (meshed) {
+    picture.layers.push_back(space_mesh(*model.surface_meshes.back()));
+    add_helping_lines(set, *model.surface_meshes.back(), picture.layers);
   }
-  if (!model.surface_meshes.empty()) picture.layers.push_back(space_mesh(*model.surface_meshes.back()));
-  const auto add = [&](const char* key, std::string title, const scene::Style& style,
-                       std::vector<std::vector<geom::Point3>> lines) {
-    if (lines.empty()) return;
-    scene::space::Lines content;
-    content.lines = std::move(lines);
-    picture.layers.push_back({key, std::move(title), style, std::move(content), true, scene::InLegend::Yes, {}});
-  };
-  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, std::move(borders));
-  add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, std::move(inner));
-  add("cracks", translated("Cracks"), {.line = chart_crack_red, .line_width = 1.8}, std::move(cracks));
+  add_edges<scene::space::Layer, scene::space::Lines>(
+      edges_of(set.faces), picture.layers, [&](const Numbered& edge, scene::space::Lines& to) {
+        const surf::Surface& surface = set.faces[edge.face].surface;
+        to.lines.push_back(sampled(*edge.edge, [&](geom::Point uv) { return surface.at(uv); }));
+        to.ids.push_back(edge.item);
+      });
+  add_controls(set, picture.layers);
   picture.camera = scene::space::camera_of(scene::space::StandardView::Isometric);
 }
 

@@ -37,6 +37,36 @@ bool speaks_of(const std::string& message, const std::string& key) {
   return false;
 }
 
+/// The points of curves and surfaces that are given by some, with the lines between them.
+void add_controls(const SurfaceInput& input, Surfaces& made) {
+  const auto add = [&](const char* table, const std::string& name, std::size_t entry,
+                       const std::vector<geom::Point3>& points) {
+    const std::size_t first = made.controls.size();
+    for (std::size_t i = 0; i < points.size(); ++i) made.controls.push_back({table, name, entry, i, points[i]});
+    return first;
+  };
+  const auto line = [&](std::size_t first, std::size_t count, std::size_t step) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(first + i * step);
+    made.control_lines.push_back(std::move(numbers));
+  };
+  for (std::size_t i = 0; i < input.space_curves.size(); ++i) {
+    const SpaceCurveParams& curve = input.space_curves[i];
+    if (curve.kind == SpaceCurveKind::Circle) continue;
+    line(add("space_curve", curve.name, i, curve.points), curve.points.size(), 1);
+  }
+  for (std::size_t i = 0; i < input.surfaces.size(); ++i) {
+    const SurfaceParams& surface = input.surfaces[i];
+    if (surface.kind != SurfaceKind::Nurbs && surface.kind != SurfaceKind::Through) continue;
+    const std::size_t first = add("surface", surface.name, i, surface.points);
+    const std::size_t rows = rows_of(surface);
+    if (rows == 0 || surface.points.size() % rows != 0) continue;
+    const std::size_t columns = surface.points.size() / rows;
+    for (std::size_t r = 0; r < rows; ++r) line(first + r * columns, columns, 1);
+    for (std::size_t c = 0; c < columns; ++c) line(first + c, rows, columns);
+  }
+}
+
 /// Makes the faces; each step has the line of the table that it is about.
 class SurfaceMaker {
  public:
@@ -52,18 +82,18 @@ class SurfaceMaker {
     std::int32_t regions = 0;  // so many tags are taken
     for (std::size_t s = 0; s < input_.surfaces.size(); ++s) {
       if (input_.surfaces[s].use == SurfaceUse::Tool) continue;
-      DOBRA_TRY(std::vector<surf::trim::TrimmedSurface> faces, trimmed(s, numbers, made.findings));
-      for (auto& face : faces) {
-        std::int32_t greatest = regions;
-        for (auto& region : face.regions) greatest = std::max(greatest, region.region += regions);
-        regions = greatest;
-        face.reversed = input_.surfaces[s].facing == Facing::Against;
-        face.place = place("surface", s);
-        face.place.item.clear();
-        made.faces.push_back(std::move(face));
-        made.units.push_back(chart_units(input_.surfaces[s].kind, units_));
-      }
+      DOBRA_TRY(surf::trim::TrimmedSurface face, trimmed(s, numbers, made));
+      std::int32_t greatest = regions;
+      for (auto& region : face.regions) greatest = std::max(greatest, region.region += regions);
+      regions = greatest;
+      face.reversed = input_.surfaces[s].facing == Facing::Against;
+      face.place = place("surface", s);
+      face.place.item.clear();
+      made.faces.push_back(std::move(face));
+      made.units.push_back(chart_units(input_.surfaces[s].kind, units_));
     }
+    sort_chosen(made.chosen);
+    add_controls(input_, made);
     share_borders(made.faces, made.findings);
     return made;
   }
@@ -182,8 +212,7 @@ class SurfaceMaker {
     return {};
   }
 
-  Result<std::vector<surf::trim::TrimmedSurface>> trimmed(std::size_t s, surf::trim::SharedNumbers& numbers,
-                                                          std::vector<surf::mesh::Finding>& findings) const {
+  Result<surf::trim::TrimmedSurface> trimmed(std::size_t s, surf::trim::SharedNumbers& numbers, Surfaces& made) const {
     const ChartUnits units = chart_units(input_.surfaces[s].kind, units_);
     Trimming work(surfaces_[s], input_.surfaces[s].name, units);
     for (std::size_t i = 0; i < input_.trims.size(); ++i) {
@@ -208,9 +237,26 @@ class SurfaceMaker {
       if (const auto added = work.add(input_.surface_points[i]); !added)
         return at_line(added.error(), "surface_point", i);
     }
-    auto faces = work.faces(numbers, findings);
-    if (!faces) return base::located(faces.error(), place("surface", s));
-    return faces;
+    model::SurfaceParts parts;
+    auto face = work.face(numbers, made.findings, parts);
+    if (!face) return base::located(face.error(), place("surface", s));
+    made.parts.push_back(std::move(parts));
+    std::vector<model::ChosenPart> chosen = work.chosen(made.parts.size() - 1);
+    made.chosen.insert(made.chosen.end(), chosen.begin(), chosen.end());
+    return face;
+  }
+
+  /// In the order of the document, where parts of several surfaces may follow each other in any order.
+  void sort_chosen(std::vector<model::ChosenPart>& chosen) const {
+    std::vector<std::size_t> order;  // of the document's entries, as they were chosen: surface by surface
+    for (std::size_t s = 0; s < input_.surfaces.size(); ++s) {
+      for (std::size_t i = 0; i < part_owner_.size(); ++i) {
+        if (part_owner_[i] == s) order.push_back(i);
+      }
+    }
+    std::vector<model::ChosenPart> sorted(chosen.size());
+    for (std::size_t k = 0; k < order.size(); ++k) sorted[order[k]] = chosen[k];
+    chosen = std::move(sorted);
   }
 
   const SurfaceInput& input_;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "quebra/model/surface_meshed.h"
 #include "quebra/surfaces/curve_params.h"
 #include "quebra/surfaces/surface_params.h"
 #include "quebra/surfaces/trim_params.h"
@@ -42,6 +43,10 @@ struct Surfaces {
   /// One a face: what the user's numbers of its chart are.
   std::vector<ChartUnits> units;
   std::vector<dobra::surf::mesh::Finding> findings;
+  std::vector<model::SurfaceParts> parts;  ///< One a face.
+  std::vector<model::ChosenPart> chosen;
+  std::vector<model::ControlPoint> controls;
+  std::vector<std::vector<std::size_t>> control_lines;
 };
 
 /// @param table  the table that `input` came from: its lines stand in the errors.

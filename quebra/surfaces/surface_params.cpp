@@ -110,6 +110,13 @@ Result<Surface> make_of_points(const SurfaceParams& params) {
 
 }  // namespace
 
+std::size_t rows_of(const SurfaceParams& params) {
+  if (params.kind == SurfaceKind::Through) return static_cast<std::size_t>(std::max(params.rows, 0));
+  const auto beyond = static_cast<std::size_t>(params.degree_u.value_or(params.degree)) + 1;
+  if (params.kind != SurfaceKind::Nurbs || params.knots_u.size() <= beyond) return 0;
+  return params.knots_u.size() - beyond;
+}
+
 ChartUnits chart_units(SurfaceKind kind, const scenario::UnitSystem& units) {
   const double metre = units.to_si(1.0, "m");
   switch (kind) {

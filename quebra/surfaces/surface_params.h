@@ -148,6 +148,9 @@ struct ChartUnits {
 /// Degrees and the document's length where the kind has angles and lengths.
 ChartUnits chart_units(SurfaceKind kind, const dobra::scenario::UnitSystem& units);
 
+/// How many rows the grid of points of a surface has, along u; 0: its kind or its knots do not say.
+std::size_t rows_of(const SurfaceParams& params);
+
 /// @param curves  those of `params.curves`, in their order.
 /// @error BadValue: what its kind needs is missing, in the words of the keys; those of the makers of surf::Surface.
 dobra::base::Result<dobra::surf::Surface> make_surface(const SurfaceParams& params,

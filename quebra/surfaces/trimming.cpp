@@ -278,7 +278,7 @@ Error Trimming::as_written(Error error) const {
   return error;
 }
 
-Result<std::vector<std::size_t>> Trimming::kept(const surf::trim::Recognised& recognised) const {
+Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::SurfaceParts& parts) const {
   const std::size_t count = recognised.faces().size();
   std::vector<std::uint8_t> stays(count, 1), asked(count, 0);
   const bool outlines =
@@ -296,6 +296,7 @@ Result<std::vector<std::size_t>> Trimming::kept(const surf::trim::Recognised& re
     }
     if (!outlined) stays[f] = 0;
   }
+  const std::vector<std::uint8_t> solid = stays;
   bool some_kept = false;
   for (const Picked& part : parts_) {
     const auto face = part_at(recognised, part.at);
@@ -308,15 +309,24 @@ Result<std::vector<std::size_t>> Trimming::kept(const surf::trim::Recognised& re
     if (part.fate == PartFate::Keep) asked[*face] = 1, some_kept = true;
     if (part.fate == PartFate::Drop) stays[*face] = 0;
   }
-  std::vector<std::size_t> faces;
   for (std::size_t f = 0; f < count; ++f) {
-    if (stays[f] != 0 && (!some_kept || asked[f] != 0)) faces.push_back(f);
+    const bool in = stays[f] != 0 && (!some_kept || asked[f] != 0);
+    if (in)
+      parts.in.push_back(f);
+    else if (solid[f] != 0)
+      parts.left_out.push_back(f);
   }
-  return faces;
+  return {};
 }
 
-Result<std::vector<TrimmedSurface>> Trimming::faces(surf::trim::SharedNumbers& numbers,
-                                                    std::vector<surf::mesh::Finding>& findings) const {
+std::vector<model::ChosenPart> Trimming::chosen(std::size_t face) const {
+  std::vector<model::ChosenPart> all;
+  for (const Picked& part : parts_) all.push_back({face, part.at, part.fate == PartFate::Keep});
+  return all;
+}
+
+Result<TrimmedSurface> Trimming::face(surf::trim::SharedNumbers& numbers, std::vector<surf::mesh::Finding>& findings,
+                                      model::SurfaceParts& parts) const {
   std::vector<surf::trim::TrimLine> lines;
   for (const Drawn& drawn : drawn_) {
     const bool bounds = drawn.role == TrimRole::Hole || drawn.role == TrimRole::Outline || drawn.role == TrimRole::Cut;
@@ -328,7 +338,10 @@ Result<std::vector<TrimmedSurface>> Trimming::faces(surf::trim::SharedNumbers& n
     const Error told = as_written({ErrorCode::BadDomain, finding.message, finding.place});
     findings.push_back({finding.code, finding.message, *told.place});
   }
-  DOBRA_TRY(const std::vector<std::size_t> wanted, kept(*recognised));
+  DOBRA_TRY_VOID(keep(*recognised, parts));
+  parts.surface = name_;
+  parts.recognised = *recognised;
+  const std::vector<std::size_t>& wanted = parts.in;
   if (wanted.empty()) return Error{ErrorCode::BadDomain, "trims and parts leave nothing of it"};
   TrimmedSurface face =
       wanted.size() == 1 ? recognised->faces()[wanted[0]] : recognised->united(wanted, surf::trim::CommonLines::Keep);
@@ -352,7 +365,7 @@ Result<std::vector<TrimmedSurface>> Trimming::faces(surf::trim::SharedNumbers& n
     face.points.push_back(point);
   }
   add_regions(face);
-  return std::vector<TrimmedSurface>{std::move(face)};
+  return face;
 }
 
 /// Parts with names are regions.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "quebra/model/surface_meshed.h"
 #include "quebra/surfaces/trim_params.h"
 #include "shared/surf/mesh/surface_mesh.h"
 #include "shared/surf/trim/recognise.h"
@@ -25,12 +26,16 @@ class Trimming {
   dobra::base::Result<void> add(const PartParams& part);
   dobra::base::Result<void> add(const SurfacePointParams& point);
 
-  /// The faces that are left; their loops have the outside on the right. Sides of the chart are the sets NAME_left,
+  /// The face that is left; its loops have the outside on the right. Sides of the chart are the sets NAME_left,
   /// NAME_right (ends of u), NAME_bottom and NAME_top (ends of v).
   /// @error BadDomain with the place: lines that cross, parts that are not there, nothing left.
   /// @param numbers  of edges that are one curve, kept from surface to surface.
-  dobra::base::Result<std::vector<dobra::surf::trim::TrimmedSurface>> faces(
-      dobra::surf::trim::SharedNumbers& numbers, std::vector<dobra::surf::mesh::Finding>& findings) const;
+  /// @param parts    the parts from which it is made.
+  dobra::base::Result<dobra::surf::trim::TrimmedSurface> face(dobra::surf::trim::SharedNumbers& numbers,
+                                                              std::vector<dobra::surf::mesh::Finding>& findings,
+                                                              model::SurfaceParts& parts) const;
+  /// Where the parts that were added lie, and whether they stay.
+  [[nodiscard]] std::vector<model::ChosenPart> chosen(std::size_t face) const;
 
  private:
   dobra::base::Result<void> add_cut(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);
@@ -50,8 +55,9 @@ class Trimming {
   /// Beyond a closed direction by whole periods too.
   [[nodiscard]] bool encloses(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
   [[nodiscard]] dobra::base::Error as_written(dobra::base::Error error) const;
-  [[nodiscard]] dobra::base::Result<std::vector<std::size_t>> kept(
-      const dobra::surf::trim::Recognised& recognised) const;
+  /// Fills in which parts are meant.
+  [[nodiscard]] dobra::base::Result<void> keep(const dobra::surf::trim::Recognised& recognised,
+                                               model::SurfaceParts& parts) const;
   void add_regions(dobra::surf::trim::TrimmedSurface& face) const;
   [[nodiscard]] dobra::base::Result<dobra::geom::Point> place_of(const std::optional<dobra::geom::Point>& at,
                                                                  const std::optional<dobra::geom::Point3>& place) const;

@@ -6003,12 +6003,12 @@
         <translation>Carta</translation>
     </message>
     <message>
-        <source>u, by the length in the middle [m]</source>
-        <translation>u, pelo comprimento no meio [m]</translation>
+        <source>u (length) [m]</source>
+        <translation>u (comprimento) [m]</translation>
     </message>
     <message>
-        <source>v, by the length in the middle [m]</source>
-        <translation>v, pelo comprimento no meio [m]</translation>
+        <source>v (length) [m]</source>
+        <translation>v (comprimento) [m]</translation>
     </message>
     <message>
         <source>N/m</source>
@@ -6109,6 +6109,130 @@
     <message>
         <source>Geometry as a drawing or as lines, a mesh whose boundary is meant, or faces of a boundary model.</source>
         <translation>Geometria como desenho ou como linhas, uma malha cujo contorno é o que se quer, ou faces de um modelo de fronteira.</translation>
+    </message>
+    <message>
+        <source>View in space</source>
+        <translation>Vista no espaço</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Cores</translation>
+    </message>
+    <message>
+        <source>Surfaces have the colours of their values; the legend says which</source>
+        <translation>As superfícies têm as cores de seus valores; a legenda diz quais</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>A plane cuts the picture, to look inside; what is before it is not shown</source>
+        <translation>Um plano corta a figura, para olhar para dentro; o que está diante dele não é mostrado</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Plano de corte</translation>
+    </message>
+    <message>
+        <source>The axis that the section plane is square to</source>
+        <translation>O eixo perpendicular ao plano de corte</translation>
+    </message>
+    <message>
+        <source>Place of the section plane</source>
+        <translation>Lugar do plano de corte</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Outro lado</translation>
+    </message>
+    <message>
+        <source>Takes away what lies on the other side of the plane</source>
+        <translation>Retira o que está do outro lado do plano</translation>
+    </message>
+    <message>
+        <source>Choose parts</source>
+        <translation>Escolher partes</translation>
+    </message>
+    <message>
+        <source>Leaves parts of surfaces out of the mesh, or takes them in, by clicks in the chart and in space</source>
+        <translation>Deixa partes de superfícies fora da malha, ou as inclui, por cliques na carta e no espaço</translation>
+    </message>
+    <message>
+        <source>Click a part of a surface, in its chart or in space, to leave it out or to take it in again</source>
+        <translation>Clique em uma parte de uma superfície, na carta ou no espaço, para deixá-la de fora ou incluí-la de novo</translation>
+    </message>
+    <message>
+        <source>There are no surfaces here</source>
+        <translation>Não há superfícies aqui</translation>
+    </message>
+    <message>
+        <source>click inside a part, away from the lines that bound it</source>
+        <translation>clique dentro de uma parte, longe das linhas que a limitam</translation>
+    </message>
+    <message>
+        <source>Take in a part of &apos;%1&apos;</source>
+        <translation>Incluir uma parte de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Leave out a part of &apos;%1&apos;</source>
+        <translation>Deixar de fora uma parte de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Move point %1 of &apos;%2&apos;</source>
+        <translation>Mover o ponto %1 de &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normais</translation>
+    </message>
+    <message>
+        <source>Which way the triangles face</source>
+        <translation>Para que lado os triângulos olham</translation>
+    </message>
+    <message>
+        <source>u, v lines</source>
+        <translation>Linhas u, v</translation>
+    </message>
+    <message>
+        <source>Lines of constant u and v</source>
+        <translation>Linhas de u e v constantes</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>Pontos de controle</translation>
+    </message>
+    <message>
+        <source>Control polygons</source>
+        <translation>Polígonos de controle</translation>
+    </message>
+    <message>
+        <source>The points that curves and surfaces are given by; drag them</source>
+        <translation>Os pontos que definem curvas e superfícies; arraste-os</translation>
+    </message>
+    <message>
+        <source>Parts left out</source>
+        <translation>Partes deixadas de fora</translation>
+    </message>
+    <message>
+        <source>faces of a file are meshed whole; parts are of surfaces that a scenario describes</source>
+        <translation>faces de um arquivo são malhadas inteiras; partes são de superfícies que um cenário descreve</translation>
+    </message>
+    <message>
+        <source>this is a hole, or lies outside the outlines; their trims say so</source>
+        <translation>isto é um furo, ou está fora dos contornos; os seus cortes dizem isso</translation>
+    </message>
+    <message>
+        <source>this is the only part that is left; take another one in first</source>
+        <translation>esta é a única parte que resta; inclua outra antes</translation>
+    </message>
+    <message>
+        <source>it has no such point any more</source>
+        <translation>ele já não tem esse ponto</translation>
+    </message>
+    <message>
+        <source>Charts are those of the first {} of {} surfaces.</source>
+        <translation>As cartas são as das primeiras {} de {} superfícies.</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,7 @@
 
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
+#include "shared/canvas/rounding.h"
 #include "shared/canvas/selecting.h"
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/documents/line_entries.h"
@@ -30,13 +31,7 @@ namespace {
 constexpr double reach = 8.0;             ///< Pixels round the cursor.
 constexpr double selection_margin = 0.1;  ///< Round what is zoomed to.
 
-/// A place without a snap, to a tenth of a pixel in round decimals: what a mouse can mean.
-double rounded(double value, double pixel) {
-  const double step = std::pow(10.0, std::floor(std::log10(pixel)) - 1.0);
-  const double steps = std::round(value / step);
-  // Divided by a power of ten, the number is the nearest to what is written.
-  return step < 1.0 ? steps / std::round(1.0 / step) : steps * step;
-}
+using canvas::rounded;
 
 QCursor cursor_of(canvas::Cursor cursor) {
   if (cursor == canvas::Cursor::Arrow) return Qt::ArrowCursor;

@@ -244,6 +244,7 @@ void MainWindow::make_docks() {
             view_->set_layer_visible(panel, layer, visible);
             canvas_->set_layer_hidden(layer, !visible);
           });
+  connect(layers_, &LayerTree::visibility_changed, this, [this] { actions_.refresh(); });
 }
 
 void MainWindow::place_docks() {
@@ -474,7 +475,8 @@ void MainWindow::show_outcome() {
   error_.reset();
   error_bar_->clear();
   view_->clear_place();
-  show_picture();
+  // A marker on its way may pass places where nothing can be made: what was there last stays in sight.
+  if (!space_->drags() || outcome.space != nullptr) show_picture();
   fit_next_ = outcome.picture == nullptr;
   results_->show_outcome(outcome);
   steps_->show_document(session_.document(), part_states());
@@ -491,10 +493,12 @@ void MainWindow::show_outcome() {
 void MainWindow::show_picture() {
   if (!session_.outcome()) return;
   const auto picture = std::make_shared<const scene::Picture>(picture_shown());
-  const scene::Picture wanted = layers_->chosen(*picture);
+  scene::Picture wanted = layers_->chosen(*picture);
+  without_colors(wanted);
   scene::Picture listed = wanted;
   show_space(space_shown(listed));
   layers_->show_picture(listed);
+  actions_.refresh();                                // switches of layers
   if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more
   view_->set_picture(wanted, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
   canvas_->show_outcome(picture);

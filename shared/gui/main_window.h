@@ -8,6 +8,7 @@
 #include "shared/gui/actions/find.h"
 #include "shared/gui/actions/registry.h"
 #include "shared/gui/documents/shown.h"
+#include "shared/gui/layer_tree.h"
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
@@ -21,6 +22,7 @@ class QSplitter;
 class QLabel;
 class QMenu;
 class QSettings;
+class QToolBar;
 
 namespace dobra::gui {
 
@@ -29,7 +31,6 @@ class Palette;
 }
 class Canvas;
 class DrawBar;
-class LayerTree;
 class ParameterForm;
 class Results;
 class VtkWidget;
@@ -37,8 +38,9 @@ namespace importing {
 class TakenInBar;
 }
 namespace stage {
+class SectionBar;
 class SpaceWidget;
-}
+}  // namespace stage
 namespace view {
 class ExaggerationBox;
 }
@@ -117,6 +119,7 @@ class MainWindow : public QMainWindow {
   void childEvent(QChildEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void moveEvent(QMoveEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -154,11 +157,19 @@ class MainWindow : public QMainWindow {
   /// The view in space, its actions, and what picking links in both views.
   void make_space_view();
   void add_space_actions();
+  /// What the bar over the picture in space has: layers, colours, the section plane.
+  void add_space_switches();
+  void show_section(bool on);
+  [[nodiscard]] std::vector<LayerTree::Listed> layers_in_space(const std::vector<std::string>& keys) const;
+  [[nodiscard]] bool shows_layers(const std::vector<std::string>& keys) const;
+  /// As the switches want it: without the colours of values.
+  void without_colors(scene::Picture& plane) const;
   [[nodiscard]] bool has_space() const;
   /// Of the last run, as the list of layers has it; adds its layers to the `listed`.
   [[nodiscard]] std::optional<scene::space::SpacePicture> space_shown(scene::Picture& listed) const;
   void show_space(const std::optional<scene::space::SpacePicture>& picture);
   void show_views();
+  void arrange_views();
   void point_at(const stage::ItemAt& item);
   void ask_save_space_picture();
   [[nodiscard]] scene::Picture picture_shown() const;
@@ -192,6 +203,9 @@ class MainWindow : public QMainWindow {
   /// Asks how the files are to be read, and brings them into the document as one edit.
   void import_files(const std::vector<std::filesystem::path>& files);
   void open_asking(const std::filesystem::path& file);
+  [[nodiscard]] QString open_filter() const;
+  [[nodiscard]] const OtherFile* other_file(const std::filesystem::path& file) const;
+  base::Result<void> begin_with(const OtherFile& kind, const std::filesystem::path& file);
   [[nodiscard]] QSettings settings() const;
   void remember_file(const std::filesystem::path& file);
   [[nodiscard]] QStringList recent_files() const;
@@ -231,7 +245,11 @@ class MainWindow : public QMainWindow {
   actions::Registry actions_;
   actions::Palette* palette_ = nullptr;
   VtkWidget* view_ = nullptr;
+  QWidget* space_side_ = nullptr;  ///< The picture in space with its bars.
+  QToolBar* space_bar_ = nullptr;
+  stage::SectionBar* section_ = nullptr;
   stage::SpaceWidget* space_ = nullptr;
+  bool colored_ = true;  ///< Surfaces have the colours of their values.
   QSplitter* views_ = nullptr;
   enum class Views { Both, Plane, Space } looked_at_ = Views::Both;  ///< Where there is a picture in space.
   Canvas* canvas_ = nullptr;

@@ -14,6 +14,7 @@
 #include <QToolBar>
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "shared/gui/documents/edit.h"
 #include "shared/gui/importing/file_filter.h"
@@ -86,7 +87,31 @@ std::optional<std::filesystem::path> ask_target(QWidget* window, const QString& 
 
 }  // namespace
 
+/// What begins a document out of a file that is no scenario; null: none does.
+const OtherFile* MainWindow::other_file(const std::filesystem::path& file) const {
+  const QString ending = from_path(file.extension()).toLower();
+  const auto is_it = [&](const OtherFile& each) {
+    const std::vector<std::string>& endings = each.kind.endings;
+    return std::find(endings.begin(), endings.end(), ending.toStdString()) != endings.end();
+  };
+  const auto found = std::find_if(part_.files.begin(), part_.files.end(), is_it);
+  return found == part_.files.end() ? nullptr : &*found;
+}
+
+base::Result<void> MainWindow::begin_with(const OtherFile& kind, const std::filesystem::path& file) {
+  base::Result<scenario::Document> made = kind.begin(std::filesystem::absolute(file));
+  if (!made) {
+    show_error(made.error());
+    return made.error();
+  }
+  session_.begin(*std::move(made));
+  remember_file(file);
+  show_other_document();
+  return {};
+}
+
 base::Result<void> MainWindow::open(const std::filesystem::path& file) {
+  if (const OtherFile* other = other_file(file)) return begin_with(*other, file);
   const base::Result<void> opened = session_.open(file);
   if (!opened) {
     show_error(opened.error());
@@ -260,10 +285,16 @@ base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file
   return {};
 }
 
+QString MainWindow::open_filter() const {
+  std::vector<scenario::FileKind> kinds{{"Scenarios", {scenario_ending}}};
+  for (const OtherFile& each : part_.files) kinds.push_back(each.kind);
+  return importing::file_filter(kinds);
+}
+
 void MainWindow::ask_open() {
   if (!may_discard()) return;
   const QString chosen = QFileDialog::getOpenFileName(this, text("Open a scenario"),
-                                                      from_path(session_.document().folder()), scenario_filter());
+                                                      from_path(session_.document().folder()), open_filter());
   if (!chosen.isEmpty()) open_asking(to_path(chosen));
 }
 
@@ -373,7 +404,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const Dragged files = dragged_files(*event->mimeData());
+  Dragged files = dragged_files(*event->mimeData());
+  if (files.scenario.isEmpty() && files.others.size() == 1 && other_file(files.others.front()) != nullptr)
+    files.scenario = from_path(std::exchange(files.others, {}).front());
   const bool can_import = program_.importing.look && !files.others.empty();
   if (files.scenario.isEmpty() && !can_import) return;
   event->acceptProposedAction();

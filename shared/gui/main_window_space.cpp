@@ -2,12 +2,15 @@
 #include <QAction>
 #include <QApplication>
 #include <QSplitter>
+#include <QToolBar>
+#include <QVBoxLayout>
 #include <tuple>
 
 #include "shared/gui/canvas.h"
 #include "shared/gui/labels/status_line.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/stage/section_bar.h"
 #include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
@@ -15,9 +18,30 @@
 
 namespace dobra::gui {
 
+namespace {
+
+constexpr double wide_enough = 1.4;  ///< For two pictures side by side, by the height.
+const scene::Color plain_fill{0xd7, 0xe3, 0xea};
+
+}  // namespace
+
 void MainWindow::make_space_view() {
-  space_ = new stage::SpaceWidget(views_);
-  space_->hide();
+  space_side_ = new QWidget(views_);
+  space_side_->hide();
+  auto* column = new QVBoxLayout(space_side_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  space_bar_ = new QToolBar(text("View in space"), space_side_);
+  space_bar_->setObjectName("space_bar");
+  space_bar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  space_ = new stage::SpaceWidget(space_side_);
+  section_ = new stage::SectionBar(space_side_);
+  section_->hide();
+  column->addWidget(space_bar_);
+  column->addWidget(space_, 1);
+  column->addWidget(section_);
+  connect(section_, &stage::SectionBar::moved, this,
+          [this](const stage::Section& section) { space_->set_section(section); });
   space_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
   space_->set_draggable(part_.space.draggable);
   views_->setChildrenCollapsible(false);
@@ -30,6 +54,7 @@ void MainWindow::make_space_view() {
   });
   connect(space_, &stage::SpaceWidget::dragged, this,
           [this](stage::MarkerDrag phase, const scene::space::SpacePick& marker, const geom::Point3& to) {
+            if (phase == stage::MarkerDrag::Begins) view_->hold();
             if (part_.space.dragged)
               part_.space.dragged({session_, *canvas_}, phase, {marker.pick, marker.place, marker.chart}, to);
           });
@@ -61,6 +86,14 @@ std::optional<scene::space::SpacePicture> MainWindow::space_shown(scene::Picture
     }
   }
   listed.panels.push_back(std::move(panel));
+  if (colored_) return picture;
+  for (scene::space::Layer& layer : picture.layers) {
+    auto* surface = std::get_if<scene::space::Surface>(&layer.content);
+    if (surface == nullptr || surface->values_at == scene::ValuesAt::None) continue;
+    surface->values_at = scene::ValuesAt::None;
+    surface->values = {};
+    layer.style.fill = plain_fill;
+  }
   return picture;
 }
 
@@ -71,6 +104,7 @@ void MainWindow::show_space(const std::optional<scene::space::SpacePicture>& pic
                         is_new ? stage::SpaceWidget::Looking::AtAll : stage::SpaceWidget::Looking::WhereItDid);
   else if (!space_->picture().layers.empty())
     space_->set_picture({}, stage::SpaceWidget::Looking::AtAll);
+  section_->show_axes(space_->picture().axes, scene::space::extent(space_->picture()));
   view_->mark(std::nullopt);  // numbers of items are those of one picture
   space_->mark(std::nullopt);
   show_views();
@@ -78,15 +112,29 @@ void MainWindow::show_space(const std::optional<scene::space::SpacePicture>& pic
 
 void MainWindow::show_views() {
   const bool space = has_space() && looked_at_ != Views::Plane;
-  const bool before = !space_->isHidden();
-  space_->setVisible(space);
+  const bool before = !space_side_->isHidden();
+  space_side_->setVisible(space);
   const bool plane = !has_space() || session_.outcome()->picture != nullptr;
   view_->setVisible(!space || (plane && looked_at_ == Views::Both));
+  arrange_views();
   if (space && !before && looked_at_ == Views::Both) {
-    const int half = std::max(views_->width() / 2, 1);
-    views_->setSizes({half, half});
+    const int all = std::max({views_->width(), views_->height(), 1});
+    const bool beside = views_->orientation() == Qt::Horizontal;
+    views_->setSizes({beside ? all / 2 : 2 * all / 5, beside ? all / 2 : 3 * all / 5});
   }
   actions_.refresh();
+}
+
+/// Side by side where that leaves both room enough, else one above the other.
+void MainWindow::arrange_views() {
+  if (views_ == nullptr || !views_->isVisible()) return;
+  const bool wide = views_->width() >= wide_enough * views_->height();
+  views_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  arrange_views();
 }
 
 void MainWindow::add_space_actions() {
@@ -132,6 +180,7 @@ void MainWindow::add_space_actions() {
                 .section = "side",
                 .run = [this] { space_->fit(); },
                 .enabled = [this] { return has_space(); }});
+  add_space_switches();
   actions_.add({.id = "view.space.save",
                 .text = "&Save the picture in space...",
                 .menu = menu,
@@ -140,11 +189,84 @@ void MainWindow::add_space_actions() {
                 .enabled = [this] { return has_space(); }});
 }
 
+void MainWindow::without_colors(scene::Picture& plane) const {
+  if (colored_ || !has_space()) return;
+  for (scene::Panel& panel : plane.panels) {
+    for (scene::Layer& layer : panel.layers) {
+      auto* mesh = std::get_if<scene::Mesh>(&layer.content);
+      if (mesh == nullptr || mesh->values_at == scene::ValuesAt::None) continue;
+      mesh->values_at = scene::ValuesAt::None;
+      mesh->values = {};
+      layer.style.fill = plain_fill;
+    }
+  }
+}
+
+std::vector<LayerTree::Listed> MainWindow::layers_in_space(const std::vector<std::string>& keys) const {
+  std::vector<LayerTree::Listed> listed = layers_->listed();
+  std::erase_if(listed, [&](const LayerTree::Listed& layer) {
+    return std::none_of(keys.begin(), keys.end(), [&](const std::string& key) {
+      return layer.key == std::string(scene::space::panel_key) + "/" + key;
+    });
+  });
+  return listed;
+}
+
+bool MainWindow::shows_layers(const std::vector<std::string>& keys) const {
+  const auto listed = layers_in_space(keys);
+  return std::any_of(listed.begin(), listed.end(), [](const LayerTree::Listed& layer) { return layer.visible; });
+}
+
+void MainWindow::show_section(bool on) {
+  section_->setVisible(on);
+  space_->set_section(on ? std::optional(section_->section()) : std::nullopt);
+}
+
+void MainWindow::add_space_switches() {
+  const auto add = [this](
+                       const std::string& name, const std::string& words, const std::string& help, QKeySequence key,
+                       std::function<void()> run, std::function<bool()> is_on,
+                       std::function<bool()> can = [] { return true; }) {
+    actions_.add({.id = "view.space." + name,
+                  .text = words,
+                  .help = help,
+                  .menu = "&View/View in &space",
+                  .section = "switches",
+                  .bar = "space_bar",
+                  .keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key},
+                  .run = std::move(run),
+                  .enabled = [this, can = std::move(can)] { return has_space() && can(); },
+                  .checked = std::move(is_on),
+                  .scope = space_});
+  };
+  add(
+      "colors", "Colours", "Surfaces have the colours of their values; the legend says which", {},
+      [this] {
+        colored_ = !colored_;
+        show_picture();
+      },
+      [this] { return colored_; });
+  for (const LayerSwitch& each : part_.space.switches) {
+    add(
+        "show." + each.name, each.text, each.help, each.key,
+        [this, layers = each.layers] {
+          const bool on = !shows_layers(layers);
+          for (const std::string& layer : layers) layers_->set_layer_visible(layer, on);
+        },
+        [this, layers = each.layers] { return shows_layers(layers); },
+        [this, layers = each.layers] { return !layers_in_space(layers).empty(); });
+  }
+  add(
+      "section", "Section", "A plane cuts the picture, to look inside; what is before it is not shown", {},
+      [this] { show_section(!space_->section()); }, [this] { return space_->section().has_value(); });
+  actions_.fill(*space_bar_, "space_bar");
+}
+
 base::Result<void> MainWindow::save_space_picture(const std::filesystem::path& file) {
   if (!has_space())
     return base::Error{base::ErrorCode::CannotDraw,
                        text("there is no picture in space; run a scenario that has one").toStdString()};
-  scene::space::SpacePicture picture = space_->picture();
+  scene::space::SpacePicture picture = space_->shown();
   picture.vertical_exaggeration *= look_.exaggeration.value_or(1.0);
   render::SpaceFileOptions options;
   options.camera = space_->look().camera;

@@ -3,6 +3,7 @@
 // program by name. Page: docs/architecture.md
 
 #include <QKeySequence>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +13,8 @@
 #include "shared/gui/stage/space_gesture.h"
 #include "shared/gui/theme/icons.h"
 #include "shared/gui/welcome/examples.h"
+#include "shared/scenario/document.h"
+#include "shared/scenario/field.h"
 
 class QWidget;
 
@@ -27,11 +30,28 @@ struct Desk {
   Canvas& canvas;
 };
 
+/// Shows and hides layers of the picture in space, and of the panels of the plane that have them too.
+struct LayerSwitch {
+  std::string name;  ///< Its action is "view.space.show.NAME".
+  std::string text;  ///< As menus and the bar over the picture show it, English source.
+  std::string help;  ///< A sentence, English source.
+  std::vector<std::string> layers;
+  QKeySequence key = {};  ///< Where the picture in space has the focus; none of 1 to 8.
+};
+
+/// A file that is no scenario and becomes a document of its own.
+struct OtherFile {
+  scenario::FileKind kind;
+  /// A document that reads it. @error what is wrong with the file
+  std::function<base::Result<scenario::Document>(const std::filesystem::path&)> begin;
+};
+
 /// What the program makes of gestures on its picture in space. Edits go to the session, as those of tools do.
 struct SpacePart {
   std::function<void(const Desk&, const stage::ItemAt&)> clicked =
       {};                                   ///< In space, or in a panel of the plane beside it.
   std::vector<std::string> draggable = {};  ///< Layers of markers that can be dragged.
+  std::vector<LayerSwitch> switches = {};
   /// A marker on its way in the plane of the screen through it.
   std::function<void(const Desk&, stage::MarkerDrag, const stage::ItemAt&, const geom::Point3& to)> dragged = {};
 };
@@ -60,6 +80,7 @@ struct WindowPart {
   std::vector<ToolPart> tools = {};
   std::vector<PanelPart> panels = {};
   SpacePart space = {};
+  std::vector<OtherFile> files = {};  ///< Opened beside scenarios.
 };
 
 }  // namespace dobra::gui

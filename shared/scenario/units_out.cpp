@@ -216,6 +216,7 @@ scene::space::SpacePicture in_units(scene::space::SpacePicture picture, const Un
   const SpaceTurn turn(x, y, z, units);
   for (scene::space::Layer& layer : picture.layers) std::visit(turn, layer.content);
   if (picture.camera.target) turn(*picture.camera.target);
+  if (picture.extent) turn(picture.extent->low), turn(picture.extent->high);
   picture.camera.distance = x.times(picture.camera.distance);
   return picture;
 }

@@ -100,6 +100,7 @@ struct Mesh {
   ValuesAt values_at = ValuesAt::None;
   base::Shared<std::vector<double>> values{};
   Scale scale{};
+  base::Shared<std::vector<std::uint32_t>> ids{};  ///< One a triangle.
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 

@@ -43,7 +43,8 @@ class Picker {
   Found operator()(const Mesh& content) const {
     for (std::size_t i = content.triangles.size(); i-- > 0;) {
       const auto& [a, b, c] = content.triangles[i];
-      if (inside(content.points[a], content.points[b], content.points[c])) return static_cast<std::uint32_t>(i);
+      if (!inside(content.points[a], content.points[b], content.points[c])) continue;
+      return content.ids.empty() ? static_cast<std::uint32_t>(i) : content.ids[i];
     }
     return std::nullopt;
   }
@@ -159,10 +160,15 @@ struct Finder {
     }
   }
   void operator()(const Mesh& content) {
-    if (id >= content.triangles.size()) return;
-    geom::Polyline triangle{{}, true};
-    for (const std::uint32_t point : content.triangles[id]) triangle.points.push_back(content.points[point]);
-    lines.push_back(std::move(triangle));
+    const auto add = [&](std::size_t i) {
+      geom::Polyline triangle{{}, true};
+      for (const std::uint32_t point : content.triangles[i]) triangle.points.push_back(content.points[point]);
+      lines.push_back(std::move(triangle));
+    };
+    if (content.ids.empty() && id < content.triangles.size()) return add(id);
+    for (std::size_t i = 0; i < content.ids.size(); ++i) {
+      if (content.ids[i] == id) add(i);
+    }
   }
   void operator()(const Labels&) {}
   void operator()(const Image&) {}

@@ -10,7 +10,7 @@ namespace dobra::scene {
 
 struct Pick {
   std::string layer;     ///< Key of the layer.
-  std::uint32_t id = 0;  ///< Identity of the item in it: its `ids` entry or index; of a mesh, the triangle's index.
+  std::uint32_t id = 0;  ///< Identity of the item in it: its `ids` entry or index; of a mesh, that of the triangle.
   friend auto operator<=>(const Pick&, const Pick&) = default;
 };
 

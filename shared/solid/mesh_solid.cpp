@@ -269,7 +269,7 @@ base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptio
   return from_loops(loops, options);
 }
 
-base::Result<ToMesh> to_mesh(const Solid& solid) {
+base::Result<ToMesh> to_mesh(const Solid& solid, FacesAs as) {
   ToMesh out;
   const Soup& soup = solid.boundary().soup;
   const Space& space = soup.space;
@@ -293,7 +293,7 @@ base::Result<ToMesh> to_mesh(const Solid& solid) {
     const Facet& facet = soup.facets[f];
     const auto corners = soup.corners_of(facet);
     const Projection onto = space.projection(facet.plane);
-    const bool whole = facet.loop_end - facet.first_loop == 1 &&
+    const bool whole = facet.loop_end - facet.first_loop == 1 && (as == FacesAs::Polygons || corners.size() == 3) &&
                        std::all_of(corners.begin(), corners.end(), [&](PointId p) { return space.is_exact(p); }) &&
                        is_simple(space, onto, corners);
     const std::string& name = solid.name(FaceId(f));

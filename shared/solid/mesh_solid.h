@@ -42,9 +42,14 @@ struct ToMesh {
   std::optional<base::Error> flaw;
 };
 
-/// Faces with holes, and those with a corner that had to be rounded, are triangles; the others stay as they are.
+/// What faces become.
+enum class FacesAs : std::uint8_t {
+  Polygons,  ///< Triangles, where they have holes or a corner that had to be rounded; the others stay as they are.
+  Triangles
+};
+
 /// @error CannotMesh if a face cannot be cut into triangles.
 /// @cost  that of from_mesh(), which looks at the result; O(m^2) at worst for a face of m corners that is cut.
-base::Result<ToMesh> to_mesh(const Solid& solid);
+base::Result<ToMesh> to_mesh(const Solid& solid, FacesAs as = FacesAs::Polygons);
 
 }  // namespace dobra::solid

@@ -35,6 +35,8 @@ std::vector<Figure> free_border_figures();
 
 /// One surface from the usual sides (space_figures.cpp).
 base::Result<void> write_projection(const std::filesystem::path& path);
+/// Two solids, their union, intersection and difference (solid_figures.cpp).
+base::Result<void> write_solids(const std::filesystem::path& path);
 
 /// What each stage of the general offset engine makes of one base (offset_stages.cpp).
 base::Result<scene::Picture> offset_stages();

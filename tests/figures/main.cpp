@@ -62,6 +62,7 @@ int write_all(const Folder& folder, const std::string& ending, const std::string
       if (asked(figure.name)) failed += failures(figure.name, write_figure(figure, folder, ending));
     }
   }
+  if (asked("boolean")) failed += failures("boolean", write_solids(folder / ("boolean." + ending)));
   if (asked("projection")) failed += failures("projection", write_projection(folder / ("projection." + ending)));
   const Folder examples = "resources/examples";
   if (asked("fold")) {

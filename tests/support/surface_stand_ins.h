@@ -144,6 +144,11 @@ inline std::vector<StandIn> stand_ins() {
   all.push_back({"7b", whole(*Surface::graph("(x^2 - y^2) / 10", {{-10, -10}, {10, 10}})), 1.0, 10.0});
   all.push_back({"7c", whole(*Surface::sphere({}, 5.0, {{0, -pi / 3.0}, {pi, pi / 3.0}})), 0.5, 10.0});
   all.push_back({"7d", whole(*Surface::torus({}, 6.0, 2.0, {{0, -pi}, {1.5 * pi, pi}})), 0.5, 10.0});
+  // Its seam is one curve.
+  auto& low = all.back().face.loops[0].edges[0];
+  auto& high = all.back().face.loops[0].edges[2];
+  low.shared = high.shared = trim::SharedCurveId(0);
+  high.against = true;
   all.push_back({"7e",
                  whole(through_graph({{-10, -10}, {10, 10}},
                                      [](double x, double y) { return 4.0 * std::exp(-(x * x + y * y) / 8.0); })),

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shared/canvas/entry.h"
+#include "shared/canvas/rounding.h"
 #include "shared/gui/words/words.h"
 #include "shared/render/vtk_space.h"
 
@@ -23,11 +24,21 @@ constexpr double degrees_a_key = 10.0;
 constexpr double moved_a_key = 0.1;          ///< Of the plot.
 constexpr double click_reach = 4.0;          ///< Pixels that a hand may move in a click.
 constexpr std::size_t thinned_from = 40000;  ///< Cells: so many are stood in for while the view moves.
+constexpr double unmoved = 1e-6;             ///< Of a pixel: rounding.
 constexpr double least_zoom = 1e-6;          ///< Of what is shown at all, a pixel.
 constexpr double most_zoom = 1.0;
+const scene::Color section_color{0x15, 0x65, 0xc0};
 const scene::Color moving_color{0xd0, 0x10, 0x10};
 
 geom::Point point_of(QPointF pixel) { return {pixel.x(), pixel.y()}; }
+
+/// In few digits; along axes that go away from the viewer a place stays what it was.
+geom::Point3 short_place(geom::Point3 to, geom::Point3 from, double pixel) {
+  const auto one = [pixel](double value, double before) {
+    return std::abs(value - before) <= unmoved * pixel ? before : canvas::rounded(value, pixel);
+  };
+  return {one(to.x, from.x), one(to.y, from.y), one(to.z, from.z)};
+}
 
 }  // namespace
 
@@ -63,8 +74,36 @@ void SpaceWidget::stage_made() {
 void SpaceWidget::set_picture(space::SpacePicture picture, Looking looking) {
   picture.layers = space::unrolled(picture);
   if (looking == Looking::AtAll) look_ = {picture.camera, std::nullopt};
+  if (!look_.view) held_.reset();
   picture_ = std::move(picture);
-  end_gesture();
+  cut_picture();
+  if (!has_marker()) end_gesture();
+  make_picker();
+  show_picture();
+}
+
+bool SpaceWidget::has_marker() const {
+  if (!marker_) return false;
+  return std::any_of(picture_.layers.begin(), picture_.layers.end(), [&](const space::Layer& layer) {
+    const auto* markers = std::get_if<space::Markers>(&layer.content);
+    if (markers == nullptr || layer.key != marker_->pick.layer) return false;
+    for (std::size_t i = 0; i < markers->points.size(); ++i) {
+      if (space::id_of(markers->ids, i) == marker_->pick.id) return true;
+    }
+    return false;
+  });
+}
+
+void SpaceWidget::cut_picture() {
+  shown_ = picture_;
+  if (!section_ || picture_.layers.empty()) return;
+  const geom::Box3 box = space::extent(picture_);
+  shown_ = space::cut(picture_, space::plane_across(section_->axis, section_->part, box, section_->other_side));
+}
+
+void SpaceWidget::set_section(const std::optional<Section>& section) {
+  if (std::exchange(section_, section) == section) return;
+  cut_picture();
   make_picker();
   show_picture();
 }
@@ -73,7 +112,7 @@ void SpaceWidget::make_picker() {
   picker_ = nullptr;
   waiting_click_.reset();
   bench_.clear();
-  bench_.post([this, picture = picture_]() -> std::function<void()> {
+  bench_.post([this, picture = shown_]() -> std::function<void()> {
     auto made = std::make_shared<space::Picker>(picture);
     return [this, made] {
       picker_ = made;
@@ -87,9 +126,20 @@ void SpaceWidget::show_picture() {
   give_way();
   makeCurrent();
   hurry();
-  space::SpacePicture shown = picture_;
+  space::SpacePicture shown = shown_;
+  if (section_ && !shown.layers.empty()) {
+    const geom::Box3 box = space::extent(picture_);
+    space::Layer frame;
+    frame.key = "space.section";
+    frame.style = {.line = section_color, .line_width = 1.2, .dash = scene::Dash::Dashed};
+    frame.in_legend = scene::InLegend::No;
+    space::Lines line;
+    line.lines = {space::frame_of(space::plane_across(section_->axis, section_->part, box, false), box)};
+    frame.content = std::move(line);
+    shown.layers.push_back(std::move(frame));
+  }
   shown.vertical_exaggeration *= exaggeration_;
-  space_->set_look(look_);
+  space_->set_look(held_look());
   relayout();
   space_->set_picture(shown);
   doneCurrent();
@@ -120,11 +170,14 @@ void SpaceWidget::set_exaggeration(double exaggeration) {
 }
 
 void SpaceWidget::set_layer_visible(const std::string& key, bool visible) {
-  for (space::Layer& layer : picture_.layers) {
-    if (space::known_key(layer.key) == key) layer.visible = visible;
+  for (space::SpacePicture* each : {&picture_, &shown_}) {
+    for (space::Layer& layer : each->layers) {
+      if (space::known_key(layer.key) == key) layer.visible = visible;
+    }
   }
   if (picker_) picker_->set_visible(key, visible);
   if (space_ == nullptr) return;
+  if (!look_.view) return show_picture();  // what comes into sight is to be seen
   makeCurrent();
   space_->set_layer_visible(key, visible);
   doneCurrent();
@@ -136,7 +189,7 @@ void SpaceWidget::look_moved() {
   if (space_ == nullptr) return;
   makeCurrent();
   hurry();
-  space_->set_look(look_);
+  space_->set_look(held_look());
   if (space_->cost() > thinned_from) space_->hold_frame();
   doneCurrent();
   redraw();
@@ -145,18 +198,32 @@ void SpaceWidget::look_moved() {
 
 void SpaceWidget::look_from(space::StandardView view) {
   look_ = {space::camera_of(view), std::nullopt};
+  held_.reset();
   look_moved();
 }
 
 void SpaceWidget::fit() {
   look_.view = std::nullopt;
+  held_.reset();
   look_moved();
+}
+
+/// Other pictures, and more layers, stand from now on where this one does.
+void SpaceWidget::hold() {
+  if (space_ == nullptr) return;
+  if (!look_.view) look_.view = space_->layout().view;
+  if (!held_) held_ = look_.camera.target.value_or(space_->shown().centre());
+}
+
+space::Look SpaceWidget::held_look() const {
+  space::Look look = look_;
+  if (held_) look.camera.target = held_;
+  return look;
 }
 
 /// The picture turns as if the hand took hold of it.
 void SpaceWidget::orbit(QPointF by) {
-  // Its scale stays: what is shown at all is wider from some sides than from others.
-  if (space_ != nullptr && !look_.view) look_.view = space_->layout().view;
+  hold();  // its scale stays: what is shown at all is wider from some sides than from others
   look_.camera = space::orbited(look_.camera, base::Angle::from_degrees(-degrees_a_pixel * by.x()),
                                 base::Angle::from_degrees(degrees_a_pixel * by.y()));
   look_moved();
@@ -164,6 +231,7 @@ void SpaceWidget::orbit(QPointF by) {
 
 void SpaceWidget::pan(QPointF by) {
   if (space_ == nullptr) return;
+  hold();
   look_.view = scene::pan(space_->layout().view, {by.x(), by.y()});
   look_moved();
 }
@@ -174,6 +242,7 @@ void SpaceWidget::zoom(double factor, QPointF at) {
   const double size = std::max(space_->shown().diagonal(), 1e-300);
   const double wanted = layout.view.world_per_point / factor;
   if (wanted < least_zoom * size || wanted > most_zoom * size) return;
+  hold();
   look_.view = scene::zoom_at(layout.view, layout.sheet.page.to_world(point_of(at)), factor);
   look_moved();
 }
@@ -181,7 +250,7 @@ void SpaceWidget::zoom(double factor, QPointF at) {
 std::optional<space::SpacePick> SpaceWidget::pick_at(QPointF pixel) {
   if (space_ == nullptr || !plot().contains(pixel)) return std::nullopt;
   if (!picker_ && space_->cost() <= thinned_from) {
-    picker_ = std::make_shared<space::Picker>(picture_);
+    picker_ = std::make_shared<space::Picker>(shown_);
     bench_.clear();
   }
   if (!picker_) return std::nullopt;
@@ -197,7 +266,7 @@ void SpaceWidget::mark(const std::optional<scene::Pick>& pick) {
 void SpaceWidget::show_marks() {
   if (space_ == nullptr) return;
   std::vector<space::Layer> layers;
-  if (marked_) layers = space::highlight(picture_, *marked_);
+  if (marked_) layers = space::highlight(shown_, *marked_);
   if (marker_) {
     space::Layer moving;
     moving.key = "space.moving";
@@ -296,13 +365,22 @@ void SpaceWidget::click(QPointF pixel) {
 void SpaceWidget::drag_marker(MarkerDrag phase, QPointF pixel) {
   if (space_ == nullptr || !marker_) return;
   const space::Sheet& sheet = space_->layout().sheet;
+  if (phase == MarkerDrag::Begins) {  // pictures that arrive on the way stand where this one does
+    hold();
+    look_moved();
+  }
   // From where it was taken hold of, which is not always its middle.
   const auto begin = space::project(sheet, marker_->place);
   if (!begin) return;
-  marker_at_ = phase == MarkerDrag::Begins || phase == MarkerDrag::IsTakenBack
-                   ? marker_->place
-                   : space::in_plane_of(sheet, begin->at + (point_of(pixel) - point_of(pressed_)), marker_->place);
+  marker_at_ =
+      phase == MarkerDrag::Begins || phase == MarkerDrag::IsTakenBack
+          ? marker_->place
+          : short_place(space::in_plane_of(sheet, begin->at + (point_of(pixel) - point_of(pressed_)), marker_->place),
+                        marker_->place, space_->layout().view.world_per_point);
   show_marks();
+  space::SpacePick here = *marker_;
+  here.place = marker_at_;
+  emit cursor_moved(words_of(here));
   emit dragged(phase, *marker_, marker_at_);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "shared/gui/frames/bench.h"
+#include "shared/gui/stage/section_bar.h"
 #include "shared/gui/stage/space_gesture.h"
 #include "shared/gui/stage/vtk_frames.h"
 #include "shared/gui/theme/colors.h"
@@ -37,6 +38,12 @@ class SpaceWidget : public VtkFrames {
   /// Times that of the picture.
   void set_exaggeration(double exaggeration);
 
+  /// Cuts what is shown; nothing: all of it is shown. Of the view only.
+  void set_section(const std::optional<Section>& section);
+  [[nodiscard]] const std::optional<Section>& section() const { return section_; }
+  /// As it is cut, without what stands over it.
+  [[nodiscard]] const scene::space::SpacePicture& shown() const { return shown_; }
+
   /// From a usual side, all of it.
   void look_from(scene::space::StandardView view);
   [[nodiscard]] const scene::space::Look& look() const { return look_; }
@@ -57,6 +64,9 @@ class SpaceWidget : public VtkFrames {
 
   /// Markers of these layers can be dragged.
   void set_draggable(std::vector<std::string> layers) { draggable_ = std::move(layers); }
+
+  /// A marker is under way.
+  [[nodiscard]] bool drags() const { return gesture_ == Gesture::Marker; }
 
   /// Where a point of the model stands. @pre is_ready()
   [[nodiscard]] std::optional<QPointF> pixel_of(geom::Point3 at) const;
@@ -91,9 +101,14 @@ class SpaceWidget : public VtkFrames {
 
  private:
   enum class Gesture { None, Press, Orbit, Pan, Marker };
+  void cut_picture();
   void show_picture();
+  /// A picture arrives while a marker is held: that stays in the hand if it is still there.
+  [[nodiscard]] bool has_marker() const;
   void show_marks();
   void make_picker();
+  void hold();
+  [[nodiscard]] scene::space::Look held_look() const;
   /// Another look is to be drawn, quickly.
   void look_moved();
   void show_cursor();
@@ -105,8 +120,11 @@ class SpaceWidget : public VtkFrames {
 
   theme::Canvas canvas_ = theme::Canvas::Paper;
   scene::space::SpacePicture picture_;
+  scene::space::SpacePicture shown_;  ///< It, cut.
+  std::optional<Section> section_;
   double exaggeration_ = 1.0;  ///< Over that of the picture.
   scene::space::Look look_;
+  std::optional<geom::Point3> held_;   ///< What it turns about, once it has been moved.
   render::VtkSpace* space_ = nullptr;  ///< The stage, as long as there is one.
   std::optional<scene::Pick> marked_;
   std::vector<std::string> draggable_;

@@ -67,6 +67,7 @@ Box3 extent(const Layer& layer) {
 }
 
 Box3 extent(const SpacePicture& picture) {
+  if (picture.extent) return *picture.extent;
   Box3 visible;
   Box3 all;
   for (const Layer& layer : picture.layers) {

@@ -101,9 +101,10 @@ struct SpacePicture {
   std::vector<Layer> layers{};
   Axes axes{};
   Light light{};
-  double vertical_exaggeration = 1.0;  ///< Of the view only; stated below it when not 1.
-  Camera camera{};                     ///< How it is looked at first.
-  std::vector<TextTable> tables{};     ///< Below the legend, in files only.
+  double vertical_exaggeration = 1.0;               ///< Of the view only; stated below it when not 1.
+  Camera camera{};                                  ///< How it is looked at first.
+  std::optional<geom::Box3> extent = std::nullopt;  ///< What to show; by default all of the visible layers.
+  std::vector<TextTable> tables{};                  ///< Below the legend, in files only.
   std::vector<std::string> notes{};
 };
 
@@ -116,7 +117,8 @@ std::uint32_t id_of(const Ids& ids, std::size_t item) {
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing. @cost O(points)
 geom::Box3 extent(const Layer& layer);
 
-/// That of the visible layers; if there is nothing in them, of all; a cube of 1 m where that is nothing too.
+/// Its `extent` where given, else that of the visible layers; if there is nothing in them, of all; a cube of 1 m where
+/// that is nothing too.
 geom::Box3 extent(const SpacePicture& picture);
 
 /// The layer with its curtain as lines, surfaces, markers and labels in space: as many layers as its section has, with
@@ -137,9 +139,14 @@ inline constexpr const char* panel_key = "space";
 /// Areas of a curtain are a surface of the layer's key and lines of that key with this behind it: one layer to the
 /// user.
 inline constexpr std::string_view outline_end = ".outline";
+/// The line along which a plane cuts a surface (cut.h).
+inline constexpr std::string_view cut_end = ".cut";
 /// The key of the layer that the user knows.
 constexpr std::string_view known_key(std::string_view layer) {
-  return layer.ends_with(outline_end) ? layer.substr(0, layer.size() - outline_end.size()) : layer;
+  for (const std::string_view end : {outline_end, cut_end}) {
+    if (layer.ends_with(end)) return layer.substr(0, layer.size() - end.size());
+  }
+  return layer;
 }
 
 }  // namespace dobra::scene::space

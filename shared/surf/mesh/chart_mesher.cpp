@@ -91,8 +91,8 @@ struct ChartMesher::State {
     constexpr std::uint8_t resting = 2;
     for (std::uint8_t& each : fixed) each = each == 0 ? resting : each;
     for (const Kernel::Vertex v : changed) fixed[v] = 0;
-    return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, options.rounds,
-                                       progress.part(0.8, 1.0));
+    const int rounds = options.rounds + (options.rounds > 0 && domain.kernel.cell_count() < options.few ? 1 : 0);
+    return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, rounds, progress.part(0.8, 1.0));
   }
 };
 

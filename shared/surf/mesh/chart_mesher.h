@@ -21,8 +21,9 @@ struct ChartMeshOptions {
   dobra::mesh::front::FrontalOptions points = {};  ///< Where nodes may be put; limit on the number of triangles.
   dobra::mesh::front::SmoothOptions smoothing = {
       .passes = 2, .enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
-  int rounds = 3;         ///< Of flips and smoothing, after it; two at most before.
-  TidyOptions tidy = {};  ///< Between two of them.
+  int rounds = 3;            ///< Of flips and smoothing, after it; two at most before.
+  std::size_t few = 20'000;  ///< Meshes of fewer triangles have one round more: more of their nodes are near a border.
+  TidyOptions tidy = {};     ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.

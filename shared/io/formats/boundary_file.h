@@ -1,0 +1,29 @@
+#pragma once
+// Boundaries of solids to and from the formats of polygon meshes, by the ending of the file's name.
+
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/mesh/polygon_mesh.h"
+
+namespace dobra::io::formats {
+
+/// All endings that the two functions below take.
+std::vector<std::string> boundary_endings();
+
+/// Whether the format of that ending holds triangles alone.
+bool holds_triangles_alone(const std::string& path);
+
+/// Faces in space as they stand; of an STL, text or binary, equal corners are one point.
+/// @error UnknownFormat naming the endings; those of the readers; BadFormat if there is no face.
+base::Result<mesh::PolygonMesh> read_boundary(const std::string& path);
+
+/// With every digit.
+/// @pre   faces of three corners where holds_triangles_alone()
+/// @error BadUsage naming the endings; CannotWrite.
+base::Result<void> write_boundary(const std::string& path, const mesh::PolygonMesh& mesh);
+/// The same question before long work.
+base::Result<void> check_boundary_ending(const std::string& path);
+
+}  // namespace dobra::io::formats
