@@ -24,6 +24,7 @@
 #include "quebra/model/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
+#include "shared/cli/remarks.h"
 #include "shared/cli/staging.h"
 #include "shared/io/faces/import.h"
 #include "shared/io/file.h"
@@ -261,10 +262,12 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   }
   std::vector<std::string> remarks = session.program.remarks_of(state);
   if (options.out) {
-    for (std::string& loss : io::formats::losses(options.out->string(), elements)) {
+    const std::vector<std::string> losses = io::formats::losses(options.out->string(), elements);
+    const bool every = session.options.verbosity == dobra::cli::Verbosity::Verbose;
+    for (const std::string& loss :
+         every ? losses : dobra::cli::shortened(losses, "--verbose prints them; --json has all"))
       session.note(loss);
-      remarks.push_back(std::move(loss));
-    }
+    remarks.insert(remarks.end(), losses.begin(), losses.end());
   }
   if (options.histogram)
     DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));

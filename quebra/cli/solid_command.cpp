@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -165,15 +166,23 @@ Result<void> apply(const std::vector<Step>& steps, std::span<const Solid> solids
   return {};
 }
 
+/// Faces as the format of the file can hold them.
+Result<solid::ToMesh> faces_for(const std::string& file, const Solid& solid) {
+  const std::size_t most = io::formats::most_corners(file);
+  if (most <= 3) return solid::to_mesh(solid, solid::FacesAs::Triangles);
+  DOBRA_TRY(solid::ToMesh faces, solid::to_mesh(solid));
+  const bool fits = std::all_of(faces.mesh.faces.begin(), faces.mesh.faces.end(),
+                                [&](const auto& face) { return face.size() <= most; });
+  return fits ? Result<solid::ToMesh>(std::move(faces)) : solid::to_mesh(solid, solid::FacesAs::Triangles);
+}
+
 /// The result as faces of the format, with what rounding to doubles did to it.
 Result<void> write_out(Session& session, const Path& out, Outcome& outcome) {
   if (outcome.solid.empty()) {
     outcome.findings.push_back({"empty", "the result is empty; no file is written", {}});
     return {};
   }
-  const bool triangles = io::formats::holds_triangles_alone(out.string());
-  DOBRA_TRY(const solid::ToMesh faces,
-            solid::to_mesh(outcome.solid, triangles ? solid::FacesAs::Triangles : solid::FacesAs::Polygons));
+  DOBRA_TRY(const solid::ToMesh faces, faces_for(out.string(), outcome.solid));
   if (faces.displacement > 0.0) {
     outcome.findings.push_back(
         {"written_rounded",

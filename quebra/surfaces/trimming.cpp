@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "quebra/surfaces/trim_doubts.h"
 #include "shared/geom/polyline.h"
@@ -223,6 +224,28 @@ Point inner_point(const TrimmedSurface& face) {
   return geom::midpoint(outer[0], outer[1]);
 }
 
+/// The face at a place. One on a seam, in a pole or on a side is that of its surroundings, if they are of one face.
+std::optional<std::size_t> part_at(const surf::trim::Recognised& recognised, Point at) {
+  if (const auto face = recognised.pick(at)) return *face;
+  const surf::Surface& surface = recognised.faces().front().surface;
+  const geom::Box& box = surface.chart();
+  constexpr double beside = 1e-3;  // of the chart
+  std::optional<std::size_t> found;
+  for (const double u : {-1.0, 0.0, 1.0}) {
+    for (const double v : {-1.0, 0.0, 1.0}) {
+      Point near = at + geom::Vector{beside * u * box.width(), beside * v * box.height()};
+      if (surface.closed_u()) near.x = box.low.x + std::fmod(near.x - box.low.x + box.width(), box.width());
+      if (surface.closed_v()) near.y = box.low.y + std::fmod(near.y - box.low.y + box.height(), box.height());
+      if (!box.contains(near)) continue;
+      const auto face = recognised.pick(near);
+      if (!face) continue;
+      if (found && *found != *face) return std::nullopt;
+      found = *face;
+    }
+  }
+  return found;
+}
+
 ChartLine::Kind kind_of(TrimRole role) {
   switch (role) {
     case TrimRole::Crack:
@@ -276,8 +299,11 @@ Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::Sur
   const std::vector<std::uint8_t> solid = stays;
   bool some_kept = false;
   for (const Picked& part : parts_) {
-    auto face = recognised.pick(part.at);
-    if (!face) return as_written(face.error());
+    const auto face = part_at(recognised, part.at);
+    if (!face)
+      return refused(
+          "the place of a part lies on a line, or so near to it that its side is not known: give one well inside",
+          part.at);
     if (part.fate == PartFate::Keep && stays[*face] == 0)
       return refused("the part to keep lies in a hole, or outside the outlines", part.at);
     if (part.fate == PartFate::Keep) asked[*face] = 1, some_kept = true;

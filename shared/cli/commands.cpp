@@ -79,7 +79,9 @@ base::Result<void> write_results(Session& session, const RunParams& own, const s
   for (const scenario::Output& output : program.outputs_of(state)) {
     DOBRA_TRY_VOID(session.check());
     DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
-    for (const std::string& loss : output.losses) session.note(loss);
+    const bool all = session.options.verbosity == Verbosity::Verbose;
+    for (const std::string& loss : all ? output.losses : shortened(output.losses, "--verbose prints them"))
+      session.note(loss);
   }
   if (program.results.draw)
     DOBRA_TRY_VOID(

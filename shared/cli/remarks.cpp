@@ -36,7 +36,7 @@ std::string kind_of(std::string_view remark) {
 
 }  // namespace
 
-std::vector<std::string> shortened(const std::vector<std::string>& remarks) {
+std::vector<std::string> shortened(const std::vector<std::string>& remarks, const char* where) {
   std::vector<std::vector<std::size_t>> groups;
   std::map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < remarks.size(); ++i) {
@@ -49,8 +49,7 @@ std::vector<std::string> shortened(const std::vector<std::string>& remarks) {
     const std::size_t count = group.size() > most ? shown : group.size();
     for (std::size_t k = 0; k < count; ++k) lines.push_back(remarks[group[k]]);
     if (count < group.size()) {
-      lines.push_back(fmt::format("... and {} more like these (--verbose prints them; --json and report.json have all)",
-                                  group.size() - count));
+      lines.push_back(fmt::format("... and {} more like these ({})", group.size() - count, where));
     }
   }
   return lines;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <limits>
 
 #include "shared/io/file.h"
 #include "shared/io/formats/format.h"
@@ -19,9 +20,9 @@ using base::Result;
 namespace {
 
 struct Row {
-  std::string_view format;  ///< Its name in the table of formats.
-  bool binary;              ///< May be no text.
-  bool triangles;           ///< Holds nothing else.
+  std::string_view format;   ///< Its name in the table of formats.
+  bool binary;               ///< May be no text.
+  std::size_t most_corners;  ///< Of a face.
   Result<mesh::PolygonMesh> (*parse)(std::string_view bytes, const std::string& file);
   std::string (*text)(const mesh::PolygonMesh& mesh);
 };
@@ -31,12 +32,14 @@ std::string text_as(const mesh::PolygonMesh& mesh) {
   return meshes::polygons_text(mesh, format);
 }
 
+constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t in_a_byte = 255;  // The count of corners is one in a PLY that we write.
+
 constexpr std::array rows{
-    Row{"obj", false, false, meshes::parse_obj, text_as<meshes::PolygonFormat::Obj>},
-    Row{"ply", false, false, meshes::parse_ply, text_as<meshes::PolygonFormat::Ply>},
-    Row{"off", false, false, meshes::parse_off, text_as<meshes::PolygonFormat::Off>},
-    Row{"stl", true, true, meshes::parse_stl_facets,
-        [](const mesh::PolygonMesh& mesh) { return meshes::stl_text(mesh); }},
+    Row{"obj", false, any, meshes::parse_obj, text_as<meshes::PolygonFormat::Obj>},
+    Row{"ply", false, in_a_byte, meshes::parse_ply, text_as<meshes::PolygonFormat::Ply>},
+    Row{"off", false, any, meshes::parse_off, text_as<meshes::PolygonFormat::Off>},
+    Row{"stl", true, 3, meshes::parse_stl_facets, [](const mesh::PolygonMesh& mesh) { return meshes::stl_text(mesh); }},
 };
 
 const Row* row_of(const std::string& path) {
@@ -59,9 +62,9 @@ std::vector<std::string> boundary_endings() {
   return endings;
 }
 
-bool holds_triangles_alone(const std::string& path) {
+std::size_t most_corners(const std::string& path) {
   const Row* const row = row_of(path);
-  return row != nullptr && row->triangles;
+  return row == nullptr ? any : row->most_corners;
 }
 
 Result<mesh::PolygonMesh> read_boundary(const std::string& path) {

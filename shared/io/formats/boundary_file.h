@@ -12,15 +12,15 @@ namespace dobra::io::formats {
 /// All endings that the two functions below take.
 std::vector<std::string> boundary_endings();
 
-/// Whether the format of that ending holds triangles alone.
-bool holds_triangles_alone(const std::string& path);
+/// The most corners that a face may have in the format of that ending: three in an STL, 255 in a PLY.
+std::size_t most_corners(const std::string& path);
 
 /// Faces in space as they stand; of an STL, text or binary, equal corners are one point.
 /// @error UnknownFormat naming the endings; those of the readers; BadFormat if there is no face.
 base::Result<mesh::PolygonMesh> read_boundary(const std::string& path);
 
 /// With every digit.
-/// @pre   faces of three corners where holds_triangles_alone()
+/// @pre   no face has more than most_corners()
 /// @error BadUsage naming the endings; CannotWrite.
 base::Result<void> write_boundary(const std::string& path, const mesh::PolygonMesh& mesh);
 /// The same question before long work.

@@ -5,8 +5,11 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
 
 #include "quebra/cli/solid_command.h"
 #include "quebra/core/operations.h"
@@ -241,6 +244,37 @@ TEST_F(SolidCommand, EveryFormatGivesTheResultBack) {
     EXPECT_EQ(counts(back), (std::array<int, 5>{16, 24, 10, 1, 1})) << name;
   }
   EXPECT_THAT(text("r.stl"), HasSubstr("endsolid"));
+}
+
+TEST_F(SolidCommand, AFaceOfMoreCornersThanAPlyCountsIsCut) {
+  constexpr int sides = 300;
+  std::string text;
+  std::string low = "f";
+  std::string high = "f";
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    text += fmt::format("v {0} {1} 0\nv {0} {1} 1\n", std::cos(angle), std::sin(angle));
+    low += fmt::format(" {}", 2 * (sides - i) - 1);
+    high += fmt::format(" {}", 2 * i + 2);
+  }
+  for (int i = 0; i < sides; ++i) {
+    const int j = (i + 1) % sides;
+    text += fmt::format("f {} {} {}\nf {} {} {}\n", 2 * i + 1, 2 * j + 1, 2 * j + 2, 2 * i + 1, 2 * j + 2, 2 * i + 2);
+  }
+  const std::string drum = put("drum.obj", text + low + "\n" + high + "\n");
+  const json made = told({drum, "--out", path("drum.ply")});
+  EXPECT_EQ(counts(made), (std::array<int, 5>{2 * sides, 3 * sides, sides + 2, 1, 0}));
+  std::istringstream lines(this->text("drum.ply"));
+  for (std::string line; std::getline(lines, line);) EXPECT_FALSE(line.starts_with("300 "));
+  EXPECT_EQ(told({path("drum.ply")})["volume"], made["volume"]);
+}
+
+TEST_F(SolidCommand, StepsGoOnFromAnEmptyResult) {
+  const std::string a = put("a.obj", box({0, 0, 0}, {1, 1, 1}));
+  const std::string far = put("far.obj", box({5, 0, 0}, {6, 1, 2}));
+  const json told = this->told({a, "--intersect", far, "--unite", far, "--subtract", a});
+  EXPECT_EQ(told["volume"], 2.0);
+  EXPECT_EQ(counts(told), (std::array<int, 5>{8, 12, 6, 1, 0}));
 }
 
 TEST_F(SolidCommand, WithoutJsonATableIsPrintedAndFindingsAreMessages) {

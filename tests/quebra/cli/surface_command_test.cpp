@@ -81,6 +81,23 @@ TEST_F(SurfaceCommand, TrimsWithoutASurfaceAreRefusedWithTheirLine) {
   EXPECT_THAT(outcome.err, HasSubstr("meshed as the file bounds them"));
 }
 
+TEST_F(SurfaceCommand, ManyNamesThatAFormatChangesAreThreeLines) {
+  const std::string file =
+      (std::filesystem::path(DOBRA_SOURCE_DIR) / "tests/shared/io/brep/data/box_fillet.brep").string();
+  const auto lines = [](const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("is written as"); at != std::string::npos; at = text.find("is written as", at + 1))
+      ++count;
+    return count;
+  };
+  const auto brief = call({"mesh", file, "--size", "1", "--out", path("m.inp")});
+  EXPECT_EQ(lines(brief.err), 6U);  // regions and sets of sides
+  EXPECT_THAT(brief.err, HasSubstr("more like these (--verbose prints them"));
+  const auto whole = call({"mesh", file, "--size", "1", "--out", path("m.inp"), "--verbose"});
+  EXPECT_GT(lines(whole.err), 20U);
+  EXPECT_GT(told({"mesh", file, "--size", "1", "--out", path("m.inp"), "--json"})["remarks"].size(), 20U);
+}
+
 TEST_F(SurfaceCommand, SizesTooSmallForMemoryAreRefused) {
   const auto outcome = call({"mesh", put("good.toml", plate), "--size", "1e-9", "--json"});
   EXPECT_TRUE(outcome.code == 3 || outcome.code == 4) << outcome.err;

@@ -101,6 +101,20 @@ TEST(SurfaceInput, HolesOutlinesAndPartsLeaveWhatIsMeant) {
       100 - 6 * pi, 1e-9);
 }
 
+TEST(SurfaceInput, PartsMayBeNamedByPlacesOnSeamsAndInPoles) {
+  const std::string sphere = "[[input.surface]]\nname = \"s\"\nkind = \"sphere\"\nradius = 5\n";
+  const auto cut = [&](const char* normal, const char* place) {
+    return sphere +
+           trim(std::string("kind = \"plane\"\nrole = \"cut\"\nat = ") + normal + "\nnormal = " + normal + "\n") +
+           "[[input.part]]\nfate = \"keep\"\nplace = " + place + "\n";
+  };
+  // A cap of the height 4: 2 pi r h.
+  EXPECT_NEAR(area_of(cut("[0, 0, 1]", "[0, 0, 5]")), 40 * pi, 1e-4);   // the pole
+  EXPECT_NEAR(area_of(cut("[0, 0, 1]", "[0, 0, -5]")), 60 * pi, 1e-4);  // the other one
+  EXPECT_NEAR(area_of(cut("[1, 0, 0]", "[5, 0, 0]")), 40 * pi, 1e-4);   // on the seam
+  EXPECT_THAT(refusal(cut("[0, 0, 1]", "[4.898979485566356, 0, 1]")), HasSubstr("lies on a line"));
+}
+
 TEST(SurfaceInput, OtherSurfacesAndPlanesCut) {
   const std::string half =
       "[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 5\nu = [0, 180]\nv = [0, 10]\n";
