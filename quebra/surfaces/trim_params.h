@@ -25,6 +25,9 @@ struct TrimParams {
   std::string tool;
   std::optional<dobra::geom::Point3> at, normal;
   double tip_size = 0.0;
+  std::vector<double> bands;
+  double rosette = 0.0;
+  int sectors = 8;
 
   template <class D>
   static void describe(D& d) {
@@ -67,6 +70,21 @@ struct TrimParams {
              .unit = "m",
              .at_least = 0,
              .when = "role = crack"});
+    d.field("bands", &TrimParams::bands,
+            {.title = "Distances of bands",
+             .help = "Of lines round a crack, along which the mesh has sides: lengths in space from the crack.",
+             .unit = "m",
+             .above = 0,
+             .when = "role = crack"});
+    d.field("rosette", &TrimParams::rosette,
+            {.title = "Radius of rosettes",
+             .help = "Of a ring of triangles round each end of a crack inside, a length in space; the size of elements "
+                     "there unless another is given; 0: no ring.",
+             .unit = "m",
+             .at_least = 0,
+             .when = "role = crack"});
+    d.field("sectors", &TrimParams::sectors,
+            {.title = "Sectors", .help = "Of a rosette.", .at_least = 5, .at_most = 60, .when = "role = crack"});
   }
 };
 

@@ -64,6 +64,15 @@ std::vector<Point> samples(const std::vector<ChartEdge>& edges) {
   return points;
 }
 
+CrackLineOptions crack_options(const TrimParams& trim) {
+  CrackLineOptions options;
+  if (trim.role != TrimRole::Crack) return options;
+  options.bands = trim.bands;
+  options.rosette = trim.rosette;
+  options.sectors = trim.sectors;
+  return options;
+}
+
 bool inside(const std::vector<Point>& contour, Point p) {
   bool in = false;
   for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
@@ -119,7 +128,7 @@ Result<void> Trimming::add(const SurfacePointParams& point) {
 Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Surface>& tool) {
   if (trim.kind == TrimKind::Surface || trim.kind == TrimKind::Plane) return add_cut(trim, tool);
   DOBRA_TRY(Curve curve, make_trim_curve(trim, units_));
-  Drawn drawn{trim.role, trim.name, is_closed(trim), {}};
+  Drawn drawn{trim.role, trim.name, is_closed(trim), {}, crack_options(trim)};
   const double from = curve.low(), to = curve.high();
   drawn.edges.push_back({.curve = std::move(curve), .from = from, .to = to, .name = trim.name});
   const geom::Box& box = surface_.chart();
@@ -176,7 +185,7 @@ Result<void> Trimming::add_cut(const TrimParams& trim, const std::optional<surf:
 void Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
   const double near = 1e-9 * std::max(surface_.chart().width(), surface_.chart().height());
   for (std::size_t i = 0; i < edges.size();) {
-    Drawn drawn{trim.role, trim.name, false, {edges[i++]}};
+    Drawn drawn{trim.role, trim.name, false, {edges[i++]}, crack_options(trim)};
     while (i < edges.size() && distance(drawn.edges.back().end(), edges[i].start()) <= near &&
            distance(drawn.edges.back().end(), drawn.edges.front().start()) > near)
       drawn.edges.push_back(edges[i++]);
@@ -325,10 +334,34 @@ std::vector<model::ChosenPart> Trimming::chosen(std::size_t face) const {
   return all;
 }
 
+Result<void> Trimming::add_crack_lines(std::vector<Drawn>& lines, std::vector<ChartPoint>& tips,
+                                       std::vector<Finding>& findings) const {
+  std::vector<std::vector<Point>> bounds;
+  for (const Drawn& drawn : drawn_) {
+    if (drawn.role != TrimRole::Crack && drawn.role != TrimRole::Internal) bounds.push_back(samples(drawn.edges));
+  }
+  for (const Drawn& drawn : drawn_) {
+    if (drawn.round.bands.empty() && !(drawn.round.rosette > 0.0)) continue;
+    const DrawnCrack crack{drawn.name, drawn.closed, drawn.edges, samples(drawn.edges)};
+    DOBRA_TRY(CrackLines made, crack_lines(surface_, crack, bounds, drawn.round));
+    for (const CrackLines::Doubt& doubt : made.doubts) {
+      const Error told = refused(doubt.message, doubt.at);
+      findings.push_back({doubt.code, doubt.message, *told.place});
+    }
+    for (CrackLines::Line& line : made.lines)
+      lines.push_back({TrimRole::Internal, std::move(line.name), line.closed, std::move(line.edges)});
+    tips.insert(tips.end(), made.tips.begin(), made.tips.end());
+  }
+  return {};
+}
+
 Result<TrimmedSurface> Trimming::face(surf::trim::SharedNumbers& numbers, std::vector<surf::mesh::Finding>& findings,
                                       model::SurfaceParts& parts) const {
   std::vector<surf::trim::TrimLine> lines;
-  for (const Drawn& drawn : drawn_) {
+  std::vector<Drawn> all = drawn_;
+  std::vector<ChartPoint> points = points_;
+  DOBRA_TRY_VOID(add_crack_lines(all, points, findings));
+  for (const Drawn& drawn : all) {
     const bool bounds = drawn.role == TrimRole::Hole || drawn.role == TrimRole::Outline || drawn.role == TrimRole::Cut;
     lines.push_back({{drawn.edges, kind_of(drawn.role)}, drawn.closed, bounds});
   }
@@ -358,7 +391,7 @@ Result<TrimmedSurface> Trimming::face(surf::trim::SharedNumbers& numbers, std::v
     const Error told = as_written({ErrorCode::BadDomain, doubt.message, doubt.place});
     findings.push_back({doubt.code, doubt.message, *told.place});
   }
-  for (const ChartPoint& point : points_) {
+  for (const ChartPoint& point : points) {
     const auto at = recognised->pick(point.at);
     if (at && std::find(wanted.begin(), wanted.end(), *at) == wanted.end())
       return refused(fmt::format("point '{}' lies outside what is left of the surface", point.name), point.at);

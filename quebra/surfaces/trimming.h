@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quebra/model/surface_meshed.h"
+#include "quebra/surfaces/crack_lines.h"
 #include "quebra/surfaces/trim_params.h"
 #include "shared/surf/mesh/surface_mesh.h"
 #include "shared/surf/trim/recognise.h"
@@ -46,6 +47,7 @@ class Trimming {
     std::string name;
     bool closed = false;
     std::vector<dobra::surf::trim::ChartEdge> edges;
+    CrackLineOptions round = {};  ///< What goes with a crack.
   };
   struct Picked {
     PartFate fate;
@@ -58,6 +60,9 @@ class Trimming {
   /// Fills in which parts are meant.
   [[nodiscard]] dobra::base::Result<void> keep(const dobra::surf::trim::Recognised& recognised,
                                                model::SurfaceParts& parts) const;
+  /// Bands and rosettes of the cracks, as internal lines; sizes at their ends.
+  dobra::base::Result<void> add_crack_lines(std::vector<Drawn>& lines, std::vector<dobra::surf::trim::ChartPoint>& tips,
+                                            std::vector<dobra::surf::mesh::Finding>& findings) const;
   void add_regions(dobra::surf::trim::TrimmedSurface& face) const;
   [[nodiscard]] dobra::base::Result<dobra::geom::Point> place_of(const std::optional<dobra::geom::Point>& at,
                                                                  const std::optional<dobra::geom::Point3>& place) const;

@@ -5807,6 +5807,26 @@
         <translation>Normal do plano</translation>
     </message>
     <message>
+        <source>Distances of bands</source>
+        <translation>Distâncias das faixas</translation>
+    </message>
+    <message>
+        <source>Of lines round a crack, along which the mesh has sides: lengths in space from the crack.</source>
+        <translation>De linhas em torno de uma trinca, ao longo das quais a malha tem lados: comprimentos no espaço a partir da trinca.</translation>
+    </message>
+    <message>
+        <source>Radius of rosettes</source>
+        <translation>Raio das rosetas</translation>
+    </message>
+    <message>
+        <source>Of a ring of triangles round each end of a crack inside, a length in space; the size of elements there unless another is given; 0: no ring.</source>
+        <translation>De um anel de triângulos em torno de cada ponta interna de uma trinca, um comprimento no espaço; o tamanho dos elementos ali, se outro não é dado; 0: nenhum anel.</translation>
+    </message>
+    <message>
+        <source>Of a rosette.</source>
+        <translation>De uma roseta.</translation>
+    </message>
+    <message>
         <source>Length of the element sides at both ends of a crack; 0: none of their own.</source>
         <translation>Comprimento dos lados dos elementos nas duas pontas de uma trinca; 0: nenhum próprio.</translation>
     </message>

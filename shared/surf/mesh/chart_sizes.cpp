@@ -159,7 +159,7 @@ double size_by_shape(const Jet& jet, const SizeOptions& options) {
   if (!(most > 0.0)) return none;
   double size = 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / most;
   // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
-  constexpr double longer = 1.5;
+  constexpr double longer = 1.6;
   if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / most) / longer);
   return size;
 }

@@ -19,7 +19,7 @@ namespace dobra::surf::paper {
 struct PaperOptions {
   double largest = 0.0;         ///< L: no cell of the quadtree longer, m; 0 takes the longest side of the border.
   double turn = 15.0;           ///< A: most that the normal turns in a cell, degrees.
-  double least_distance = 0.3;  ///< Of a new node from other segments, part of H.
+  double least_distance = 0.4;  ///< Of a new node from other segments, part of H.
   /// The text has H itself for the three below, as_printed(): then the triangle that it wants has longer sides than H,
   /// and its own neighbours stand in its sphere. These are for triangles whose sides are H.
   double height = 0.8660254037844386;  ///< Of the ideal point over its segment, part of H.

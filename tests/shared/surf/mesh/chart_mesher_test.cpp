@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -9,8 +11,10 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "shared/mesh/mesh_check.h"
+#include "shared/surf/mesh/surface_elements.h"
 #include "tests/shared/surf/mesh/faces.h"
 #include "tests/support/surface_stand_ins.h"
 
@@ -156,6 +160,58 @@ TEST(ChartMesher, SUR_h_AreasOfRoundSurfacesComeNear) {
   EXPECT_NEAR(cylinder.quality.area, 78.539816, 0.8);
 }
 
+/// Area of triangles of six nodes: the three-point rule by three on the square that folds into the triangle.
+double area_of_second_order(const SurfaceElements& elements) {
+  const double far = std::sqrt(0.6);
+  const std::array<double, 3> at{0.5 * (1.0 - far), 0.5, 0.5 * (1.0 + far)}, weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  double area = 0.0;
+  for (std::size_t e = 0; e < elements.mesh.element_count(); ++e) {
+    const auto nodes = elements.mesh.nodes_of(dobra::mesh::ElementId(e));
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double r = at[i], s = at[j] * (1.0 - r), t = 1.0 - r - s;
+        const std::array<double, 6> by_r{1.0 - 4.0 * t, 4.0 * r - 1.0, 0.0, 4.0 * (t - r), 4.0 * s, -4.0 * s};
+        const std::array<double, 6> by_s{1.0 - 4.0 * t, 0.0, 4.0 * s - 1.0, -4.0 * r, 4.0 * r, 4.0 * (t - s)};
+        geom::Vector3 along{}, across{};
+        for (std::size_t k = 0; k < 6; ++k) {
+          const geom::Vector3 p = elements.point(nodes[k]) - geom::Point3{};
+          along = along + by_r[k] * p;
+          across = across + by_s[k] * p;
+        }
+        area += weight[i] * weight[j] * (1.0 - r) * geom::length(cross(along, across));
+      }
+    }
+  }
+  return area;
+}
+
+/// A part of a sphere and a part of a torus, their areas by the formulas of Guldin.
+TEST(ChartMesher, SUR_h_AreasComeNearAtTheSecondAndTheFourthOrder) {
+  constexpr double pi = std::numbers::pi;
+  const std::vector<std::pair<Surface, double>> round{
+      {*Surface::sphere({}, 2.0, {{0, -0.25 * pi}, {0.6 * pi, 0.25 * pi}}), 4.0 * 0.6 * pi * std::sqrt(2.0)},
+      {*Surface::torus({}, 3.0, 1.0, {{0, 0}, {0.5 * pi, 0.5 * pi}}), 0.5 * pi * (3.0 * 0.5 * pi + 1.0)}};
+  for (const auto& [surface, area] : round) {
+    const trim::TrimmedSurface face = whole(surface);
+    std::vector<double> elements, linear, quadratic;
+    for (const double size : {0.4, 0.2, 0.1}) {
+      const Meshed made = meshed(face, {.largest = size, .turn = 60.0});
+      elements.push_back(static_cast<double>(made.mesh.triangles.size()));
+      linear.push_back(area - made.quality.area);
+      EXPECT_LT(made.quality.gauss_bonnet, 1e-9);
+      const auto second = to_second_order(elements_of(made.mesh), {&face, 1}, made.division.middles);
+      quadratic.push_back(area - area_of_second_order(second));
+    }
+    const auto order = [&](const std::vector<double>& errors) {
+      return std::log(std::abs(errors[0] / errors[2])) / std::log(std::sqrt(elements[2] / elements[0]));
+    };
+    EXPECT_NEAR(order(linear), 2.0, 0.15);
+    EXPECT_NEAR(order(quadratic), 4.0, 0.4);
+    EXPECT_LT(std::abs(linear[2]), 2e-3 * area);
+    EXPECT_LT(std::abs(quadratic[2]), 1e-6 * area);
+  }
+}
+
 TEST(ChartMesher, StaysWithinTheChordErrorAskedEverywhere) {
   for (const double chord : {0.05, 0.01}) {
     for (const char* name : {"7c", "7b", "6a"}) {
@@ -164,6 +220,17 @@ TEST(ChartMesher, StaysWithinTheChordErrorAskedEverywhere) {
       EXPECT_LE(worst_gap(face.surface, made.face), chord) << name;
       // It is not much finer than asked either.
       EXPECT_GE(worst_gap(face.surface, made.face), 0.2 * chord) << name;
+    }
+  }
+}
+
+TEST(ChartMesher, StaysWithinTheChordErrorAskedOnEveryStandIn) {
+  if (std::getenv("DOBRA_SURFACES_LARGE") == nullptr) GTEST_SKIP() << "DOBRA_SURFACES_LARGE=1 asks for them";
+  for (const StandIn& each : surf::test::stand_ins()) {
+    for (const double chord : {0.03, 0.006}) {
+      const Meshed made = meshed(each.face, {.largest = 2.0, .turn = 90.0, .chord = chord});
+      EXPECT_LE(worst_gap(each.face.surface, made.face), chord) << each.name;
+      EXPECT_LT(made.quality.gauss_bonnet, 1e-9) << each.name;
     }
   }
 }

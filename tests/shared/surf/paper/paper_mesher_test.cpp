@@ -183,6 +183,15 @@ TEST(PaperMesher, SUR_f_CoonsSurfaceReachesTheFloors) { expect_tables("6"); }
 TEST(PaperMesher, SUR_f_SixKindsOfCurvatureReachTheFloors) { expect_tables("7"); }
 TEST(PaperMesher, SUR_f_TrimmedSurfacesReachTheFloors) { expect_tables("8"); }
 
+TEST(PaperMesher, SUR_f_WavesByTheirFormulaReachTheFloors) {
+  StandIn s = test::stand_ins()[0];
+  s.name = "7f by its formula";
+  s.face = TrimmedSurface{*Surface::graph("1.5 * sin(x) * cos(y)", {{0, 0}, {10, 10}})};
+  s.largest = 0.5;
+  s.turn = 5.0;
+  expect_table(s, 0, floors);
+}
+
 TEST(PaperMesher, SUR_f_FinerSizesAndAnglesMakeMoreTriangles) {
   const StandIn s = test::stand_ins()[0];
   std::size_t last = 0;
