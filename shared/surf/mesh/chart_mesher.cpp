@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "shared/base/check.h"
 #include "shared/mesh/delaunay/planar_domain.h"
@@ -203,25 +206,35 @@ FaceMesh ChartMesher::mesh() const {
 
 namespace {
 
-/// Triangles that look against the surface at their middle, and the first of them.
-struct Folds {
-  std::size_t count = 0;
+/// Triangles that look against the surface at their middle, with the first of them, and those that are nearly flat
+/// though no sharp corner makes them so: with an angle beyond 120 degrees.
+struct Faults {
+  std::size_t folded = 0, flat = 0;
   geom::Point first;
 };
 
-Folds folds_of(const FaceMesh& face, const Surface& surface) {
-  Folds folds;
+Faults faults_of(const FaceMesh& face, const Surface& surface) {
+  constexpr double none = 1e-9;     // of the sides: where two corners are one node at a pole there is no area
+  constexpr double flattest = 0.1;  // alpha
+  Faults faults;
   for (const auto& corners : face.chart.triangles) {
     const auto at = [&](std::size_t i) { return face.at[corners[i].index()]; };
     const auto place = [&](std::size_t i) { return face.chart.points[corners[i].index()] - geom::Point{}; };
+    const geom::Vector3 u = at(1) - at(0), v = at(2) - at(0), w = at(2) - at(1);
+    const geom::Vector3 area = cross(u, v);
+    const std::array<double, 3> squares{dot(u, u), dot(v, v), dot(w, w)};
+    const double longest = *std::max_element(squares.begin(), squares.end());
+    const double sum = squares[0] + squares[1] + squares[2];
+    if (length(area) <= none * longest) continue;
+    // Beyond 120 degrees: a^2 > b^2 + c^2 + b c, and b c is (b^2 + c^2) / 2 at most.
+    const bool obtuse = longest > 1.5 * (sum - longest);
+    if (obtuse && 2.0 * std::numbers::sqrt3 * length(area) < flattest * sum) ++faults.flat;
     const geom::Point middle = geom::Point{} + (place(0) + place(1) + place(2)) / 3.0;
     const auto normal = surf::normal(surface, middle);
-    const geom::Vector3 u = at(1) - at(0), v = at(2) - at(0);
-    constexpr double none = 1e-9;  // of the sides: where two corners are one node at a pole there is no area
-    if (!normal || dot(*normal, cross(u, v)) >= -none * std::max(dot(u, u), dot(v, v))) continue;
-    if (folds.count++ == 0) folds.first = middle;
+    if (!normal || dot(*normal, area) >= 0.0) continue;
+    if (faults.folded++ == 0) faults.first = middle;
   }
-  return folds;
+  return faults;
 }
 
 }  // namespace
@@ -229,20 +242,25 @@ Folds folds_of(const FaceMesh& face, const Surface& surface) {
 Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options, const Progress& progress) {
   constexpr std::size_t between_checks = 8192;
   ChartMeshOptions own = options;
-  for (int attempt = 0;; ++attempt) {
+  std::optional<FaceMesh> best;
+  Faults fewest;
+  for (int attempt = 0; attempt <= options.attempts; ++attempt) {
     DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, own, progress));
     while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
     FaceMesh made = mesher.mesh();
-    const Folds folds = folds_of(made, input.surface);
-    if (folds.count == 0) return made;
-    if (attempt == options.attempts) {
-      const geom::Point3 p = input.surface.at(folds.first);
-      return Error{ErrorCode::CannotMesh, "the mesh folds over itself here: use another size, or smaller ones",
-                   base::Place{.x = p.x, .y = p.y, .z = p.z, .u = folds.first.x, .v = folds.first.y}};
+    const Faults faults = faults_of(made, input.surface);
+    if (!best || std::pair(faults.folded, faults.flat) < std::pair(fewest.folded, fewest.flat)) {
+      best = std::move(made);
+      fewest = faults;
     }
+    if (fewest.folded + fewest.flat == 0) break;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }
+  if (fewest.folded == 0) return *std::move(best);
+  const geom::Point3 p = input.surface.at(fewest.first);
+  return Error{ErrorCode::CannotMesh, "the mesh folds over itself here: use another size, or smaller ones",
+               base::Place{.x = p.x, .y = p.y, .z = p.z, .u = fewest.first.x, .v = fewest.first.y}};
 }
 
 }  // namespace dobra::surf::mesh

@@ -23,7 +23,8 @@ struct ChartMeshOptions {
       .passes = 2, .enough = 2.0, .equilateral = true, .least_step = 0.01, .rescue = 0.9};  ///< Of each round.
   int rounds = 3;            ///< Of flips and smoothing, after it; two at most before.
   std::size_t few = 20'000;  ///< Meshes of fewer triangles have one round more: more of their nodes are near a border.
-  /// Where the mesh folds in space, mesh_chart begins again with sizes inside that are smaller by this, so often.
+  /// Where a mesh folds in space or has flat triangles, mesh_chart begins again with sizes inside that are smaller by
+  /// this, so often, and takes the best.
   int attempts = 2;
   double smaller = 0.93;
   TidyOptions tidy = {};  ///< Between two of them.
