@@ -176,7 +176,9 @@ constexpr Floor floors{0.90, 0.75, 0.15};
 
 void expect_tables(const std::string& first_letter) {
   for (const StandIn& s : test::stand_ins()) {
-    if (s.name.starts_with(first_letter)) expect_table(s, s.face.loops.size() - 1, floors);
+    if (!s.name.starts_with(first_letter)) continue;
+    const bool ring = s.name == "7d";  // its seam is one curve: a ring has two contours
+    expect_table(s, s.face.loops.size() - 1 + (ring ? 1 : 0), floors);
   }
 }
 TEST(PaperMesher, SUR_f_CoonsSurfaceReachesTheFloors) { expect_tables("6"); }
