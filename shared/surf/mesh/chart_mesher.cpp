@@ -253,7 +253,8 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
       best = std::move(made);
       fewest = faults;
     }
-    if (fewest.folded + fewest.flat == 0) break;
+    const bool large = best->chart.triangles.size() > options.large;
+    if (fewest.folded == 0 && (fewest.flat == 0 || large)) break;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }

@@ -27,7 +27,8 @@ struct ChartMeshOptions {
   /// this, so often, and takes the best.
   int attempts = 2;
   double smaller = 0.93;
-  TidyOptions tidy = {};  ///< Between two of them.
+  std::size_t large = 100'000;  ///< Meshes of more triangles are not begun again for flat ones.
+  TidyOptions tidy = {};        ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.
