@@ -208,8 +208,9 @@ TEST(Open, AMeshHasANodeAtATipAndNeedsNoneAtASmoothPole) {
   SharedNumbers numbers;
   const auto points_of = [&](const Surface& surface) {
     const auto whole = recognise(surface, {});
+    const auto opened = open(whole->faces().front(), numbers);
     std::size_t count = 0;
-    for (const Opened& each : *open(whole->faces().front(), numbers)) {
+    for (const Opened& each : *opened) {
       for (const ChartPoint& point : each.face.points) {
         EXPECT_LE(geom::distance(each.face.surface.at(point.at), {}), 1e-12);
         ++count;
