@@ -68,6 +68,7 @@ class WindowFixture : public testing::Test {
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(focus(), key, modifiers); }
   /// Replaces all text of the focused editor, key by key.
   void write(const char* key, const char* typed) {
+    QCoreApplication::processEvents();  // a form that is to come is there
     click(editor(key));
     press(Qt::Key_A, Qt::ControlModifier);
     for (const char c : std::string(typed)) {
