@@ -206,7 +206,7 @@ class Samples {
       open.pop();
       if (way > along[j]) continue;
       for_neighbours(j, [&, way = way](std::size_t k, double distance) {
-        if (way + distance > radius || way + distance >= along[k]) return;
+        if (!(way + distance <= radius) || !(way + distance < along[k])) return;  // nor where a length is no number
         if (along[k] == std::numeric_limits<double>::infinity()) marked.push_back(k);
         along[k] = way + distance;
         open.push({way + distance, k});
