@@ -141,7 +141,8 @@ class Seams {
       const double turns = std::round(along(Point{} + once) / period()) * period();
       rotated.push_back(shifted(b[(i + nearest) % b.size()], again ? place(turns, 0.0) - Point{} : Vector{}));
     }
-    rotated = shifted(std::move(rotated), bench_.periods(end, rotated.front().begin_at()));
+    const auto periods = bench_.periods(end, rotated.front().begin_at());
+    rotated = shifted(std::move(rotated), periods);
     if (of_u_ ? bench_.whole.period_v > 0.0 : bench_.whole.period_u > 0.0) rotated = beyond(std::move(rotated), a);
     const surf::trim::SharedCurveId shared = bench_.next_shared++;
     const Point other_begin = rotated.front().begin_at(), other_end = rotated.back().end_at();

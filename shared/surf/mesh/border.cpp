@@ -187,7 +187,7 @@ class Maker {
     const auto [at, is_new] = group_of_.try_emplace(id, edge);
     if (is_new) return;
     auto group = std::find_if(border_.groups.begin(), border_.groups.end(),
-                              [&](const SharedGroup& g) { return g.front() == at->second; });
+                              [&, at = at](const SharedGroup& g) { return g.front() == at->second; });
     if (group == border_.groups.end()) {
       border_.groups.push_back({at->second, edge});
     } else {

@@ -132,7 +132,7 @@ class Samples {
       const auto [here, i] = open.top();
       open.pop();
       if (here > size(i)) continue;
-      for_neighbours(i, [&](std::size_t j, double distance) {
+      for_neighbours(i, [&, here = here](std::size_t j, double distance) {
         const double allowed = here + slope * distance;
         if (allowed >= size(j)) return;
         size(j) = allowed;
