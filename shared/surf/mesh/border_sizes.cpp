@@ -74,7 +74,8 @@ Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions&
     const double part = static_cast<double>(i) / static_cast<double>(count);
     const double s = i == count ? piece.s1 : i == 0 ? piece.s0 : std::lerp(piece.s0, piece.s1, part);
     profile.s.push_back(s);
-    profile.travelled.push_back(space.travelled(s) - from);
+    // Never backwards, as quadrature over a kink may have it.
+    profile.travelled.push_back(std::max(space.travelled(s) - from, i == 0 ? 0.0 : profile.travelled.back()));
     profile.size.push_back(
         std::max(std::min({largest, allowed_by_bend(space, s, sizes), sizes.wanted_at(space.place(s), space.at(s))}),
                  sizes.least));
