@@ -14,6 +14,7 @@
 #include "shared/mesh/front/smoother.h"
 #include "shared/surf/mesh/chart_space.h"
 #include "shared/surf/mesh/tidy.h"
+#include "shared/surf/trim/open.h"
 
 namespace dobra::surf::mesh {
 
@@ -66,6 +67,20 @@ Error unscaled(Error error, const ScaledChart& chart) {
   return error;
 }
 
+/// Where points that stand alone are at a tip of the surface.
+std::vector<geom::Point3> tips_of(const ChartInput& input) {
+  std::vector<std::uint8_t> on_edge(input.chart.points.size(), 0);
+  for (const auto& edge : input.chart.edges) {
+    for (const NodeId node : edge.nodes) on_edge[node.index()] = 1;
+  }
+  const double radius = 0.5 * geom::box_of(input.chart.points).diagonal();
+  std::vector<geom::Point3> tips;
+  for (std::size_t p = 0; p < on_edge.size(); ++p) {
+    if (on_edge[p] == 0 && trim::has_tip(input.surface, input.chart.points[p], radius)) tips.push_back(input.at[p]);
+  }
+  return tips;
+}
+
 }  // namespace
 
 struct ChartMesher::State {
@@ -116,7 +131,9 @@ Result<void> ChartMesher::State::prepare(const Progress& progress) {
       sides.push_back({{kernel.point(a), kernel.point(b)}, geom::distance(at[a], at[b])});
     }
   }
-  DOBRA_TRY(ChartSizes found, chart_sizes(chart, sides, scaled_input.sizes, options.sizes, progress.part(0.5, 1.0)));
+  const std::vector<geom::Point3> tips = tips_of(input);
+  DOBRA_TRY(ChartSizes found,
+            chart_sizes(chart, sides, scaled_input.sizes, tips, options.sizes, progress.part(0.5, 1.0)));
   sizes = std::move(found);
   space = ChartSpace(chart, *sizes, kernel);
   for (Kernel::Vertex v = 0; v < given; ++v) space.enter(v, at[v]);

@@ -46,16 +46,25 @@ struct Sample {
 
 class Builder {
  public:
-  Builder(const ScaledChart& chart, const SizeOptions& options, double largest, const geom::Box& box)
-      : chart_(chart), options_(options), largest_(largest), box_(box) {}
+  Builder(const ScaledChart& chart, const SizeOptions& options, double largest, const geom::Box& box,
+          std::span<const geom::Point3> tips)
+      : chart_(chart), options_(options), largest_(largest), box_(box), tips_(tips) {}
+
+  /// Of what shape and formula ask, the least at a place of the scaled chart, where `jet` is.
+  [[nodiscard]] double size(Point p, const Jet& jet) const {
+    double by_shape = size_by_shape(jet, options_);
+    constexpr double seen = 0.01;  // of the largest size
+    for (const geom::Point3 tip : tips_) {
+      const double distance = geom::distance(tip, jet.at);
+      if (distance < seen * largest_) by_shape *= seen * largest_ / std::max(distance, 1e-12 * largest_);
+    }
+    return std::max(options_.least, std::min({largest_, by_shape, options_.wanted_at(chart_.unscaled(p), jet.at)}));
+  }
 
   [[nodiscard]] Sample sample(Point p) const {
     const Jet jet = chart_.jet(p);
     const Metric m = metric(jet);
-    const double size =
-        std::max(options_.least,
-                 std::min({largest_, size_by_shape(jet, options_), options_.wanted_at(chart_.unscaled(p), jet.at)}));
-    return {size, std::sqrt(m.e), std::sqrt(m.g), m.area()};
+    return {size(p, jet), std::sqrt(m.e), std::sqrt(m.g), m.area()};
   }
   /// Whether a cell must be seen more closely than by its corners.
   [[nodiscard]] bool follows_badly(const Quadtree& tree, QuadCellId id, std::uint32_t first_look) const {
@@ -100,6 +109,7 @@ class Builder {
   const SizeOptions& options_;
   const double largest_;
   const geom::Box box_;
+  const std::span<const geom::Point3> tips_;
 };
 
 /// Levels of the tree before its cells are looked at: each piece of the surface is seen.
@@ -165,7 +175,8 @@ double size_by_shape(const Jet& jet, const SizeOptions& options) {
 }
 
 Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
-                               std::span<const dobra::mesh::delaunay::SizeRequest> requests, const SizeOptions& options,
+                               std::span<const dobra::mesh::delaunay::SizeRequest> requests,
+                               std::span<const geom::Point3> tips, const SizeOptions& options,
                                const base::Progress& progress) {
   DOBRA_TRY_VOID(validate(requests, options));
   geom::Box box;
@@ -175,7 +186,7 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     box.add(side.chart.box());
   }
   const double largest = options.largest > 0.0 ? options.largest : chart.surface().size() / 20.0;
-  const Builder builder(chart, options, largest, box);
+  const Builder builder(chart, options, largest, box, tips);
   DOBRA_TRY(Quadtree tree, tree_of(chart, builder, edges, requests, options));
   DOBRA_TRY_VOID(progress.check());
   ChartSizes made{SizeField::on(std::move(tree)), {}, {}};
@@ -187,8 +198,7 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     const Jet jet = chart.jet(places[i]);
     at[i] = jet.at;
     metrics[i] = metric(jet);
-    field.ask(i, std::max(options.least,
-                          std::min(size_by_shape(jet, options), options.wanted_at(chart.unscaled(places[i]), jet.at))));
+    field.ask(i, builder.size(places[i], jet));
   }
   const auto ask = [&](Point p, double size) {
     for (const std::uint32_t corner : field.corners(field.quadtree().leaf_at(p))) field.ask(corner, size);

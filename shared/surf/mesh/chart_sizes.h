@@ -26,11 +26,14 @@ struct ChartSizes {
 };
 
 /// @param requests  in the scaled chart, sizes in space.
+/// @param tips      places in space where the curvature has no bound. Within a hundredth of the largest size of one,
+///                  curvature counts as at that distance: smaller triangles do not turn less there.
 /// @error InvalidOption with the option's name; TooManyElements with advice; Cancelled.
 /// @cost  some jets of the surface for each cell.
 base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
                                      std::span<const dobra::mesh::delaunay::SizeRequest> requests,
-                                     const SizeOptions& options, const base::Progress& progress = {});
+                                     std::span<const geom::Point3> tips, const SizeOptions& options,
+                                     const base::Progress& progress = {});
 
 /// The size that the shape of the surface asks for: by turn and chord; infinite where it is flat, or has no normal.
 double size_by_shape(const Jet& jet, const SizeOptions& options);

@@ -117,19 +117,6 @@ std::vector<std::pair<std::size_t, std::size_t>> seams_in(const Surface& surface
   return pairs;
 }
 
-/// Whether a surface comes to a tip in the middle of the chart round its pole, such as a cone.
-bool has_tip(const Surface& polar, double radius) {
-  constexpr double near = 1e-4;       // of the radius
-  constexpr double blunt = 0.996195;  // the cosine of 5 degrees
-  std::optional<geom::Vector3> first;
-  for (const Point towards : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}}) {
-    const auto normal = surf::normal(polar, {near * radius * towards.x, near * radius * towards.y});
-    if (first && normal && dot(*first, *normal) < blunt) return true;
-    if (!first) first = normal;
-  }
-  return false;
-}
-
 /// A part of a face that touches one pole, in the chart round it.
 base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   const Surface surface = face.surface;
@@ -159,7 +146,7 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   for (ChartRegion& region : face.regions) region.at = polar.forward(region.at);
   face.surface = polar.surface;
   const Box round = face.surface.chart();
-  if (has_tip(face.surface, 0.5 * round.width()) && contains(face, {0, 0})) face.points.push_back({{0, 0}});
+  if (has_tip(face.surface, {0, 0}, 0.5 * round.width()) && contains(face, {0, 0})) face.points.push_back({{0, 0}});
   std::stable_sort(face.loops.begin(), face.loops.end(), [&](const ChartLoop& a, const ChartLoop& b) {
     const auto area = [](const ChartLoop& loop) {
       std::vector<Point> ring;
@@ -191,6 +178,18 @@ base::Result<Recognised> recognised_again(const TrimmedSurface& face, std::optio
 }
 
 }  // namespace
+
+bool has_tip(const Surface& surface, Point at, double radius) {
+  constexpr double near = 1e-4;       // of the radius
+  constexpr double blunt = 0.996195;  // the cosine of 5 degrees
+  std::optional<geom::Vector3> first;
+  for (const geom::Vector towards : {geom::Vector{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+    const auto normal = surf::normal(surface, at + near * radius * towards);
+    if (first && normal && dot(*first, *normal) < blunt) return true;
+    if (!first) first = normal;
+  }
+  return false;
+}
 
 bool contains(const TrimmedSurface& face, Point uv) {
   const std::vector<double> at = meets(rings_of(face), uv.y);

@@ -22,6 +22,10 @@ struct Opened {
   bool polar = false;  ///< It has another chart than the face.
 };
 
+/// Whether a surface comes to a tip, such as that of a cone: normals within a ten thousandth of `radius`, in the chart,
+/// are more than 5 degrees apart.
+bool has_tip(const Surface& surface, geom::Point at, double radius);
+
 /// Which sides that are points a face touches: those on which an edge of it lies or ends.
 std::vector<Side> poles_touched(const TrimmedSurface& face);
 
