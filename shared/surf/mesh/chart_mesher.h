@@ -27,8 +27,8 @@ struct ChartMeshOptions {
   /// this, so often, and takes the best.
   int attempts = 2;
   double smaller = 0.93;
-  /// Meshes of more triangles have one round before and one after, nodes rest that are twice as far from their best
-  /// place, and a few flat triangles are no reason to begin again.
+  /// Meshes of more triangles have one round before `tidy` and one after it, their nodes rest within twice
+  /// `smoothing.least_step`, and mesh_chart does not begin again for flat triangles.
   std::size_t large = 100'000;
   TidyOptions tidy = {};  ///< Between two of them.
 };
