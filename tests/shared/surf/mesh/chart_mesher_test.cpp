@@ -133,7 +133,7 @@ TEST(ChartMesher, SUR_f_MeshesOfManyTrianglesAreAsGoodAsAsked) {
   }
 }
 
-/// What is smoothed less has the same triangles at first, so the limit alone is brought down to sizes of tests.
+/// A mesh counts as large from 100 triangles on here, so that small ones are smoothed as large ones are.
 TEST(ChartMesher, SUR_f_LargeMeshesAreAsGoodAsAskedWithOneRound) {
   for (const char* name : {"7c", "8c", "7a", "6b"}) {
     const StandIn each = stand_in(name);
