@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
 #include "recon/model/model.h"
@@ -91,9 +92,13 @@ void BalancePanel::fit_names() {
   int numbers = 0;
   for (int column = 1; column < rows_->columnCount(); ++column) numbers += rows_->header()->sectionSize(column);
   const int width = std::max(least + icon + 2 * around, rows_->viewport()->width() - numbers);
-  if (width == rows_->header()->sectionSize(0)) return;
   rows_->header()->resizeSection(0, width);
-  rows_->doItemsLayout();
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem& row = *rows_->topLevelItem(i);
+    const int room = width - around - (row.icon(0).isNull() ? 0 : icon);
+    const QRect words = metrics.boundingRect(QRect(0, 0, room, INT_MAX / 2), Qt::TextWordWrap, row.text(0));
+    row.setSizeHint(0, {width, std::max(words.height() + 2, row.icon(0).isNull() ? 0 : icon)});
+  }
 }
 
 bool BalancePanel::eventFilter(QObject* watched, QEvent* event) {
