@@ -468,8 +468,8 @@
         <translation>Curvas paralelas a um contorno, como restrições internas que graduam a malha.</translation>
     </message>
     <message>
-        <source>Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.</source>
-        <translation>Divide o contorno e preenche o domínio com triângulos: quadtree para os tamanhos, Delaunay para as formas.</translation>
+        <source>Divides borders and fills the domain with triangles, or each surface: sizes first, then shapes.</source>
+        <translation>Divide os contornos e preenche com triângulos o domínio, ou cada superfície: primeiro os tamanhos, depois as formas.</translation>
     </message>
     <message>
         <source>mean alpha</source>

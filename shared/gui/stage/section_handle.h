@@ -29,6 +29,8 @@ class SectionHandle : public QWidget {
   /// The part under the mouse stands out; nothing: the mouse is elsewhere.
   void hover(const std::optional<QPointF>& pixel);
   [[nodiscard]] const std::optional<scene::space::Grip>& hovered() const { return hovered_; }
+  /// A closed line. @pre there is a section
+  [[nodiscard]] const std::vector<geom::Point3>& rim() const { return handle_.rim; }
   /// What a drag of the part under the mouse does, and the cursor that says so; @pre hovered()
   [[nodiscard]] QString hint() const;
   [[nodiscard]] QCursor cursor_over() const;

@@ -147,7 +147,7 @@ void SpaceWidget::show_picture() {
     frame.style = {.line = section_color, .line_width = 1.2, .dash = scene::Dash::Dashed};
     frame.in_legend = scene::InLegend::No;
     space::Lines line;
-    line.lines = {space::frame_of(space::plane_of(*section_, *shown.extent), *shown.extent)};
+    line.lines = {handle_->rim()};
     frame.content = std::move(line);
     shown.layers.push_back(std::move(frame));
   }
@@ -176,6 +176,7 @@ void SpaceWidget::set_exaggeration(double exaggeration) {
   if (std::exchange(exaggeration_, exaggeration) == exaggeration) return;
   show_handle();
   if (space_ == nullptr) return;
+  if (section_) return show_picture();  // its frame goes by the exaggeration
   makeCurrent();
   hurry();
   space_->set_exaggeration(picture_.vertical_exaggeration * exaggeration_);

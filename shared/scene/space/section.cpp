@@ -13,7 +13,7 @@ namespace {
 using geom::Point3;
 using geom::Vector3;
 
-constexpr double thin = 0.15;           ///< Of the diagonal: the rim has this much room across a thin box.
+constexpr double thin = 0.08;           ///< Of the diagonal: the rim has this much room across a thin box.
 constexpr double arrow_length = 0.15;   ///< Of the diagonal.
 constexpr double seen_from_end = 12.0;  ///< Page: a shorter arrow points at the viewer.
 constexpr int halvings = 40;
