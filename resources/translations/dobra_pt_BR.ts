@@ -6267,6 +6267,14 @@
         <translation>Partes deixadas de fora</translation>
     </message>
     <message>
+        <source>faces of a file are meshed as they are; cracks are of surfaces that a scenario describes</source>
+        <translation>faces de um arquivo são malhadas como estão; trincas são de superfícies que um cenário descreve</translation>
+    </message>
+    <message>
+        <source>this document is of surfaces, whose lines are trims: draw cracks with the crack tool, others in the form</source>
+        <translation>este documento é de superfícies, cujas linhas são recortes: desenhe trincas com a ferramenta de trincas, as outras no formulário</translation>
+    </message>
+    <message>
         <source>faces of a file are meshed whole; parts are of surfaces that a scenario describes</source>
         <translation>faces de um arquivo são malhadas inteiras; partes são de superfícies que um cenário descreve</translation>
     </message>
