@@ -366,6 +366,7 @@ void SpaceWidget::mouseReleaseEvent(QMouseEvent* event) {
   const Gesture gesture = gesture_;
   if (gesture == Gesture::Marker) drag_marker(MarkerDrag::Ends, event->position());
   end_gesture();
+  if (gesture == Gesture::Section) tell_cursor(event->position());
   if (gesture == Gesture::Press) click(event->position());
 }
 

@@ -372,6 +372,12 @@ TEST_F(SectionInSpace, GUI_b_TheRimTurnsItAndTheBarSaysSo) {
   EXPECT_EQ(axis->currentIndex(), 3);
   EXPECT_TRUE(axis->currentText().contains("0.8") || axis->currentText().contains("0,8"))
       << axis->currentText().toStdString();
+  const char* wish = std::getenv("DOBRA_SECTION_SCREENSHOT");
+  if (wish != nullptr) {
+    space().look_from(StandardView::Isometric);
+    QTest::qWait(500);
+    EXPECT_TRUE(window->save_screenshot(wish).ok());
+  }
   // The slider moves it along its normal; an axis makes it square again.
   const double before = along();
   slider->setFocus();
