@@ -1,6 +1,7 @@
 // The window on scenarios of surfaces, with mouse and keys as a person uses them.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QSlider>
 #include <QToolBar>
@@ -442,6 +443,19 @@ TEST(SurfacesWindow, OtherLinesAreRefusedBesideSurfacesAndTheDocumentStays) {
                                                                {{{1.0, 1.0}, {2.0, 1.0}, {1.5, 2.0}}, true});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().message.find("trims"), std::string::npos);
+}
+
+TEST(SurfacesWindow, TheWelcomePageOpensAShellWithACrack) {
+  SurfaceWindow window;
+  window->welcome();
+  auto* card = window->findChild<QAbstractButton*>("welcome.example.surfaces/cracked_shell.toml");
+  ASSERT_NE(card, nullptr);
+  QTest::mouseClick(card, Qt::LeftButton);
+  window.settle();
+  EXPECT_TRUE(window.document().file.empty());  // a copy
+  ASSERT_FALSE(window->session().outcome()->run.error);
+  EXPECT_TRUE(window.space().isVisible());
+  EXPECT_NE(window.layer("cracks"), nullptr);
 }
 
 TEST(SurfacesWindow, ASectionCutsTheViewAndNotTheDocument) {
