@@ -169,8 +169,7 @@ void draw_model(const model::Model& model, dobra::scene::Picture& picture) {
 
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
-      "mesh", "Mesh",
-      "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
+      "mesh", "Mesh", "Divides borders and fills the domain with triangles, or each surface: sizes first, then shapes.",
       mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
   operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
                                         const scenario::Context& context,

@@ -216,8 +216,8 @@
         <translation>Restaura seções geológicas deformadas.</translation>
     </message>
     <message>
-        <source>Prepares finite-element meshes of fractured plane solids.</source>
-        <translation>Prepara malhas de elementos finitos de sólidos planos fraturados.</translation>
+        <source>Prepares finite-element meshes of fractured plane solids and of surfaces and shells in space, and analyses the plane ones.</source>
+        <translation>Prepara malhas de elementos finitos de sólidos planos fraturados e de superfícies e cascas no espaço, e analisa as planas.</translation>
     </message>
     <message>
         <source>About %1</source>
@@ -468,8 +468,8 @@
         <translation>Curvas paralelas a um contorno, como restrições internas que graduam a malha.</translation>
     </message>
     <message>
-        <source>Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.</source>
-        <translation>Divide o contorno e preenche o domínio com triângulos: quadtree para os tamanhos, Delaunay para as formas.</translation>
+        <source>Divides borders and fills the domain with triangles, or each surface: sizes first, then shapes.</source>
+        <translation>Divide os contornos e preenche com triângulos o domínio, ou cada superfície: primeiro os tamanhos, depois as formas.</translation>
     </message>
     <message>
         <source>mean alpha</source>
@@ -5023,6 +5023,14 @@
         <translation>Trinca de borda em tração</translation>
     </message>
     <message>
+        <source>Trimmed shell with a crack</source>
+        <translation>Casca recortada com uma trinca</translation>
+    </message>
+    <message>
+        <source>A panel of a cylinder with a window, in its chart and in space, and its decks for CalculiX and Nastran.</source>
+        <translation>Um painel de um cilindro com uma janela, em sua carta e no espaço, e seus arquivos para CalculiX e Nastran.</translation>
+    </message>
+    <message>
         <source>Mesh, analysis and stress intensity factors.</source>
         <translation>Malha, análise e fatores de intensidade de tensão.</translation>
     </message>
@@ -6155,8 +6163,32 @@
         <translation>Plano de corte</translation>
     </message>
     <message>
-        <source>The axis that the section plane is square to</source>
-        <translation>O eixo perpendicular ao plano de corte</translation>
+        <source>What the section plane is square to: an axis, or a direction once its rim is dragged</source>
+        <translation>A que o plano de corte é perpendicular: um eixo, ou uma direção depois que sua borda é arrastada</translation>
+    </message>
+    <message>
+        <source>Place of the section plane, a number</source>
+        <translation>Posição do plano de corte, um número</translation>
+    </message>
+    <message>
+        <source>Where the plane stands on the axis; turned, how far from the origin along its normal</source>
+        <translation>Onde o plano fica no eixo; se girado, a distância à origem ao longo de sua normal</translation>
+    </message>
+    <message>
+        <source>The section plane stands from %1 to %2.</source>
+        <translation>O plano de corte fica entre %1 e %2.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back.</source>
+        <translation>Arraste a seta para mover o plano de corte, sua borda para girá-lo; Esc desfaz o arraste.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow: the section plane moves along its normal</source>
+        <translation>Arraste a seta: o plano de corte se move ao longo de sua normal</translation>
+    </message>
+    <message>
+        <source>Drag the rim: the section plane turns about its middle</source>
+        <translation>Arraste a borda: o plano de corte gira em torno de seu meio</translation>
     </message>
     <message>
         <source>Place of the section plane</source>
@@ -6233,6 +6265,14 @@
     <message>
         <source>Parts left out</source>
         <translation>Partes deixadas de fora</translation>
+    </message>
+    <message>
+        <source>faces of a file are meshed as they are; cracks are of surfaces that a scenario describes</source>
+        <translation>faces de um arquivo são malhadas como estão; trincas são de superfícies que um cenário descreve</translation>
+    </message>
+    <message>
+        <source>this document is of surfaces, whose lines are trims: draw cracks with the crack tool, others in the form</source>
+        <translation>este documento é de superfícies, cujas linhas são recortes: desenhe trincas com a ferramenta de trincas, as outras no formulário</translation>
     </message>
     <message>
         <source>faces of a file are meshed whole; parts are of surfaces that a scenario describes</source>
