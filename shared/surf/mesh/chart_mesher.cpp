@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -96,6 +97,25 @@ struct ChartMesher::State {
   Stage stage = Stage::Filling;
 
   Result<void> prepare(const Progress& progress);
+  /// With the place where sizes are least.
+  [[nodiscard]] Error too_many() const {
+    const auto& tree = sizes->field.quadtree();
+    double least = std::numeric_limits<double>::infinity();
+    geom::Point at = geom::box_of(scaled_input.points).centre();
+    for (const auto leaf : tree.leaves()) {
+      if (!(sizes->triangles[leaf.index()] != 0.0)) continue;
+      const auto corners = sizes->field.corner_sizes(leaf);
+      const double size = *std::min_element(corners.begin(), corners.end());
+      if (size >= least) continue;
+      least = size;
+      at = tree.box(leaf).centre();
+    }
+    return {ErrorCode::TooManyElements,
+            fmt::format("the mesh would have more than {} triangles, the least of them here: use a greater size, turn "
+                        "or growth, trim this part of the surface away, or raise the limit",
+                        options.points.max_triangles),
+            trim::place_of(input.surface, chart.held(at))};
+  }
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
     std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
@@ -140,8 +160,8 @@ Result<void> ChartMesher::State::prepare(const Progress& progress) {
   space = ChartSpace(chart, *sizes, kernel);
   for (Kernel::Vertex v = 0; v < given; ++v) space.enter(v, at[v]);
   constexpr double doubtful = 1.25;
-  if (space.expected_triangles() > doubtful * static_cast<double>(options.points.max_triangles))
-    return dobra::mesh::front::check_limit(options.points.max_triangles + 1, options.points);
+  // Nor where a size is no number.
+  if (!(space.expected_triangles() <= doubtful * static_cast<double>(options.points.max_triangles))) return too_many();
   space.rule();
   return {};
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "shared/surf/trim/finding.h"
+
 namespace dobra::surf::mesh {
 
 using base::Error;
@@ -151,9 +153,14 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
   const std::uint32_t look = first_look(chart.surface());
   const auto badly = [&](QuadCellId id) { return builder.follows_badly(tree, id, look); };
   if (!tree.refine_where(badly, tree.cell_count() + most_cells)) {
+    const auto leaves = tree.leaves();
+    const auto deepest = std::max_element(leaves.begin(), leaves.end(), [&](QuadCellId a, QuadCellId b) {
+      return tree.cell(a).level < tree.cell(b).level;
+    });
     return Error{ErrorCode::TooManyElements,
-                 "the sizes that the curvature asks for are too small, or change too fast, for a tree of two million "
-                 "cells: use a greater turn or chord, or give a least size"};
+                 "the sizes that the curvature asks for are too small here, or change too fast, for a tree of two "
+                 "million cells: use a greater turn or chord, or trim this part of the surface away",
+                 trim::place_of(chart.surface(), chart.held(tree.box(*deepest).centre()))};
   }
   tree.balance();
   return tree;

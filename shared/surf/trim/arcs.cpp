@@ -170,8 +170,8 @@ class Cutter {
       for (std::size_t v = 0; v < count; ++v) {
         Point p = arcs_.vertices[v];
         double& across = along_y ? p.x : p.y;
-        if (across != 0.0 && across != 1.0) continue;
-        across = 1.0 - across;
+        if (across > same_ && across < 1.0 - same_) continue;
+        across = across < 0.5 ? 1.0 : 0.0;
         const std::size_t twin = arcs_.vertex(p, same_);
         for (std::size_t s = 0; s < arcs_.strands.size(); ++s) {
           const std::optional<Side> side = arcs_.strands[s].side;

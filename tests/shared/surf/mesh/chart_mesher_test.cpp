@@ -339,6 +339,18 @@ TEST(ChartMesher, NeedsNoNormalOnASideThatIsOnePoint) {
   }
 }
 
+TEST(ChartMesher, SizesThatAreAsGoodAsNoughtAreRefusedWithAPlace) {
+  const trim::TrimmedSurface face = whole(*Surface::plane({}, {{0, 0}, {4, 2}}));
+  const auto division = divide({&face, 1}, {.sizes = {.largest = 0.5}});
+  ASSERT_TRUE(division);
+  ChartMeshOptions options{.sizes = {.largest = 0.5}};
+  options.sizes.wanted = [](geom::Point, geom::Point3) { return 1e-200; };
+  const auto made = mesh_chart(division->faces[0], options);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::TooManyElements);
+  ASSERT_TRUE(made.error().place && made.error().place->u);
+}
+
 TEST(ChartMesher, RefusesWhatItCannotDo) {
   const StandIn each = stand_in("7a");
   const auto division = divide({&each.face, 1}, {.sizes = sizes_of(each)});
