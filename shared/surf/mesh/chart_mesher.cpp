@@ -14,7 +14,7 @@
 #include "shared/mesh/front/smoother.h"
 #include "shared/surf/mesh/chart_space.h"
 #include "shared/surf/mesh/tidy.h"
-#include "shared/surf/trim/open.h"
+#include "shared/surf/mesh/tips.h"
 
 namespace dobra::surf::mesh {
 
@@ -67,25 +67,12 @@ Error unscaled(Error error, const ScaledChart& chart) {
   return error;
 }
 
-/// Where points that stand alone are at a tip of the surface.
-std::vector<geom::Point3> tips_of(const ChartInput& input) {
-  std::vector<std::uint8_t> on_edge(input.chart.points.size(), 0);
-  for (const auto& edge : input.chart.edges) {
-    for (const NodeId node : edge.nodes) on_edge[node.index()] = 1;
-  }
-  const double radius = 0.5 * geom::box_of(input.chart.points).diagonal();
-  std::vector<geom::Point3> tips;
-  for (std::size_t p = 0; p < on_edge.size(); ++p) {
-    if (on_edge[p] == 0 && trim::has_tip(input.surface, input.chart.points[p], radius)) tips.push_back(input.at[p]);
-  }
-  return tips;
-}
-
 }  // namespace
 
 struct ChartMesher::State {
   ChartInput input;
   ChartMeshOptions options;
+  std::vector<geom::Point3> tips;
   ScaledChart chart;
   MeshInput scaled_input;
   PlanarDomain domain;
@@ -131,7 +118,6 @@ Result<void> ChartMesher::State::prepare(const Progress& progress) {
       sides.push_back({{kernel.point(a), kernel.point(b)}, geom::distance(at[a], at[b])});
     }
   }
-  const std::vector<geom::Point3> tips = tips_of(input);
   DOBRA_TRY(ChartSizes found,
             chart_sizes(chart, sides, scaled_input.sizes, tips, options.sizes, progress.part(0.5, 1.0)));
   sizes = std::move(found);
@@ -150,7 +136,8 @@ ChartMesher::ChartMesher(std::unique_ptr<State> state) : state_(state.release())
 Result<ChartMesher> ChartMesher::start(const ChartInput& input, const ChartMeshOptions& options,
                                        const Progress& progress) {
   DOBRA_TRY_VOID(validate(input, options));
-  auto state = std::make_unique<State>(State{input, options, {}, {}, {}, {}, {}});
+  Tips tips = with_wheels(input, options.sizes, largest_size(input.surface, options.sizes));
+  auto state = std::make_unique<State>(State{std::move(tips.input), options, std::move(tips.at), {}, {}, {}, {}, {}});
   State& s = *state;
   DOBRA_TRY_VOID(s.prepare(progress.part(0.0, 0.1)));
   s.engine = std::make_unique<FrontEngine<ChartSpace>>(s.domain.kernel, s.space, s.sizes->field, s.options.points);

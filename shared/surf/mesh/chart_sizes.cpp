@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "shared/surf/mesh/tips.h"
+
 namespace dobra::surf::mesh {
 
 using base::Error;
@@ -53,10 +55,9 @@ class Builder {
   /// Of what shape and formula ask, the least at a place of the scaled chart, where `jet` is.
   [[nodiscard]] double size(Point p, const Jet& jet) const {
     double by_shape = size_by_shape(jet, options_);
-    constexpr double seen = 0.01;  // of the largest size
     for (const geom::Point3 tip : tips_) {
       const double distance = geom::distance(tip, jet.at);
-      if (distance < seen * largest_) by_shape *= seen * largest_ / std::max(distance, 1e-12 * largest_);
+      if (distance < tip_seen * largest_) by_shape *= tip_seen * largest_ / std::max(distance, 1e-12 * largest_);
     }
     return std::max(options_.least, std::min({largest_, by_shape, options_.wanted_at(chart_.unscaled(p), jet.at)}));
   }
@@ -161,6 +162,10 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
 
 }  // namespace
 
+double largest_size(const Surface& surface, const SizeOptions& options) {
+  return options.largest > 0.0 ? options.largest : surface.size() / 20.0;
+}
+
 double size_by_shape(const Jet& jet, const SizeOptions& options) {
   constexpr double none = std::numeric_limits<double>::infinity();
   const auto bent = curvature(jet);
@@ -185,7 +190,7 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     edges.push_back({side.chart, {}});
     box.add(side.chart.box());
   }
-  const double largest = options.largest > 0.0 ? options.largest : chart.surface().size() / 20.0;
+  const double largest = largest_size(chart.surface(), options);
   const Builder builder(chart, options, largest, box, tips);
   DOBRA_TRY(Quadtree tree, tree_of(chart, builder, edges, requests, options));
   DOBRA_TRY_VOID(progress.check());

@@ -35,6 +35,8 @@ base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const G
                                      std::span<const geom::Point3> tips, const SizeOptions& options,
                                      const base::Progress& progress = {});
 
+/// L of the options, or a twentieth of the surface.
+double largest_size(const Surface& surface, const SizeOptions& options);
 /// The size that the shape of the surface asks for: by turn and chord; infinite where it is flat, or has no normal.
 double size_by_shape(const Jet& jet, const SizeOptions& options);
 
