@@ -3,6 +3,7 @@
 the paper's published figures, Gmsh's three meshers of surfaces, the paper's mesher as we wrote it, and our front.
 
     tests/bench/surface_table.py build/release/bin/quebra [NAME]... [--skip-gmsh] [--gmsh-most SECONDS]
+    tests/bench/surface_table.py build/release/bin/quebra --large [RUNS]
 
 Gmsh has the same surfaces from its geometry kernel OpenCASCADE (quadrics exactly; the Coons patch and the saddle as
 Bezier patches, which they are; the bell and the waves as bicubic splines through 41 x 41 points), MeshSizeMax = L and
@@ -309,9 +310,8 @@ def run_gmsh(name, size, turn, algorithm, folder, most):
 # --- ours
 
 
-def run_quebra(quebra, scenario, size, turn, engine, folder):
+def run_quebra(quebra, file, size, turn, engine, folder):
     out = os.path.join(folder, "ours.msh2")
-    file = os.path.join(EXAMPLES, scenario + ".toml")
     command = [quebra, "mesh", file, "--size", str(size), "--turn", str(turn), "--engine", engine, "--out", out, "--json"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
@@ -326,6 +326,31 @@ def run_quebra(quebra, scenario, size, turn, engine, folder):
     if seconds > 0:
         found["speed"] = found["NE"] / seconds
     return found
+
+
+def example(name):
+    return os.path.join(EXAMPLES, name + ".toml")
+
+
+def race(quebra, runs):
+    """Our front and Gmsh's frontal mesher on one file, the bicubic patch of 7f, run by run one after the other."""
+    print("| triangles, ours | Gmsh's | ours, thousand a second | Gmsh's frontal | ratio | mean, least alpha, ours | Gmsh's |")
+    print("|---|---|---|---|---|---|---|")
+    times = []
+    with tempfile.TemporaryDirectory() as folder:
+        for triangles in (1e4, 1e5, 1e6):
+            size = math.sqrt(144.457679 * 4 / math.sqrt(3) / triangles)  # the patch's area
+            ours, peer = [], []
+            for _ in range(runs):
+                peer.append(run_gmsh("7f", size, 45, MESHERS["frontal"], folder, 600))
+                ours.append(run_quebra(quebra, os.path.join(folder, "7f_patch.brep"), size, 45, "front", folder))
+            speed, other = (sorted(r["speed"] for r in all)[runs // 2] for all in (ours, peer))
+            print(f"| {ours[0]['NE']} | {peer[0]['NE']} | {speed / 1000:.0f} | {other / 1000:.1f} | {speed / other:.1f} | "
+                  f"{ours[0]['mean']:.4f} {ours[0]['min']:.3f} | {peer[0]['mean']:.4f} {peer[0]['min']:.3f} |", flush=True)
+            times.append((ours[0]["NE"], ours[0]["NE"] / speed))
+    (n, t), (m, u) = times[0], times[-1]
+    print(f"\nMedians of {runs} runs. Our time grows with n^{math.log(u / t) / math.log(m / n):.2f}.")
+    return 0
 
 
 # --- the table
@@ -377,7 +402,11 @@ def main():
     options.add_argument("names", nargs="*", help="rows: 6a, 7b ...; all by default")
     options.add_argument("--skip-gmsh", action="store_true")
     options.add_argument("--gmsh-most", type=float, default=300, help="seconds that one run of Gmsh may take")
+    options.add_argument("--large", type=int, nargs="?", const=5, metavar="RUNS",
+                         help="instead of the table: speed against Gmsh on 7f up to a million triangles, median of so many runs")
     asked = options.parse_args()
+    if asked.large:
+        return race(asked.quebra, asked.large)
     names = asked.names or list(ROWS)
     missed, least_ahead, ratios, sizes = [], 0, [], {}
     print("Each cell: triangles, mean alpha, alpha90 %, least alpha, thousand triangles a second.\n")
@@ -387,8 +416,8 @@ def main():
         for name in names:
             scenario, size, turn, published = ROWS[name]
             peers = {} if asked.skip_gmsh else {m: run_gmsh(scenario, size, turn, a, folder, asked.gmsh_most) for m, a in MESHERS.items()}
-            paper = run_quebra(asked.quebra, scenario, size, turn, "paper", folder)
-            ours = run_quebra(asked.quebra, scenario, size, turn, "front", folder)
+            paper = run_quebra(asked.quebra, example(scenario), size, turn, "paper", folder)
+            ours = run_quebra(asked.quebra, example(scenario), size, turn, "front", folder)
             print(f"| {name} | {size} | {turn} | {published[0]} {published[2]:.3f} {published[3]:.1f} {published[4]:.3f} | "
                   + " | ".join(cell(peers.get(m)) for m in MESHERS) + f" | {cell(paper)} | {cell(ours)} |", flush=True)
             judge(name, ours, paper, peers, missed)
@@ -400,7 +429,7 @@ def main():
             sizes[name] = {"front": ours.get("NE"), "paper": paper.get("NE")}
         scenario, size, turn = CRITICAL
         for engine in ("front", "paper"):
-            found = run_quebra(asked.quebra, scenario, size, turn, engine, folder)
+            found = run_quebra(asked.quebra, example(scenario), size, turn, engine, folder)
             print(f"| critical: {engine} | {size} | {turn} | | | | | | {cell(found)} |")
             if "error" in found:
                 missed.append(f"critical case L = 3, A = 3, engine {engine}: {found['error']}")

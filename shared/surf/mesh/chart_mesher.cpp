@@ -86,18 +86,21 @@ struct ChartMesher::State {
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
     std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
+    const std::size_t triangles = domain.kernel.cell_count();
+    const bool large = triangles > options.large;
     // Nodes need not be quite where they belong before sides are flipped.
     dobra::mesh::front::SmoothOptions rough = options.smoothing;
-    if (options.tidy.rounds > 0) rough.least_step *= 2.0;
-    DOBRA_TRY_VOID(dobra::mesh::front::improve(domain.kernel, space, fixed, rough, std::min(options.rounds, 2),
-                                               progress.part(0.0, 0.5)));
-    if (options.tidy.rounds == 0) return {};
+    rough.least_step *= 2.0;
+    DOBRA_TRY_VOID(dobra::mesh::front::improve(domain.kernel, space, fixed, rough,
+                                               std::min(options.rounds, large ? 1 : 2), progress.part(0.0, 0.5)));
     DOBRA_TRY(const auto changed, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.5, 0.8)));
     constexpr std::uint8_t resting = 2;
     for (std::uint8_t& each : fixed) each = each == 0 ? resting : each;
     for (const Kernel::Vertex v : changed) fixed[v] = 0;
-    const int rounds = options.rounds + (options.rounds > 0 && domain.kernel.cell_count() < options.few ? 1 : 0);
-    return dobra::mesh::front::improve(domain.kernel, space, fixed, options.smoothing, rounds, progress.part(0.8, 1.0));
+    const int more = options.rounds > 0 && triangles < options.few ? 1 : 0;
+    return dobra::mesh::front::improve(domain.kernel, space, fixed, large ? rough : options.smoothing,
+                                       large ? std::min(options.rounds, 1) : options.rounds + more,
+                                       progress.part(0.8, 1.0));
   }
 };
 

@@ -27,8 +27,10 @@ struct ChartMeshOptions {
   /// this, so often, and takes the best.
   int attempts = 2;
   double smaller = 0.93;
-  std::size_t large = 100'000;  ///< Meshes of more triangles are not begun again for flat ones.
-  TidyOptions tidy = {};        ///< Between two of them.
+  /// Meshes of more triangles have one round before and one after, nodes rest that are twice as far from their best
+  /// place, and a few flat triangles are no reason to begin again.
+  std::size_t large = 100'000;
+  TidyOptions tidy = {};  ///< Between two of them.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.

@@ -46,10 +46,8 @@ TEST_F(WorkerTest, RunGivesStatesPictureAndQuantities) {
 
 TEST_F(WorkerTest, RequestReturnsAtOnceAndReportsProgress) {
   QSignalSpy progress(&worker, &Worker::progress);
-  QElapsedTimer timer;
-  timer.start();
   worker.request(sleeping(0.3, 1.0));
-  EXPECT_LT(timer.elapsed(), 150);
+  EXPECT_TRUE(outcomes.empty());
   EXPECT_TRUE(worker.busy());
   ASSERT_TRUE(wait());
   EXPECT_GE(progress.count(), 2);
