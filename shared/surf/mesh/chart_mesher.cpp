@@ -72,7 +72,7 @@ Error unscaled(Error error, const ScaledChart& chart) {
 struct ChartMesher::State {
   ChartInput input;
   ChartMeshOptions options;
-  std::vector<geom::Point3> tips;
+  std::vector<Tip> tips;
   ScaledChart chart;
   MeshInput scaled_input;
   PlanarDomain domain;
@@ -140,7 +140,7 @@ Result<ChartMesher> ChartMesher::start(const ChartInput& input, const ChartMeshO
                                        const Progress& progress) {
   DOBRA_TRY_VOID(validate(input, options));
   Tips tips = with_wheels(input, options.sizes, largest_size(input.surface, options.sizes));
-  auto state = std::make_unique<State>(State{std::move(tips.input), options, std::move(tips.at), {}, {}, {}, {}, {}});
+  auto state = std::make_unique<State>(State{std::move(tips.input), options, std::move(tips.tips), {}, {}, {}, {}, {}});
   State& s = *state;
   DOBRA_TRY_VOID(s.prepare(progress.part(0.0, 0.1)));
   s.engine = std::make_unique<FrontEngine<ChartSpace>>(s.domain.kernel, s.space, s.sizes->field, s.options.points);

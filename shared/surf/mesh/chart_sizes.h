@@ -10,6 +10,7 @@
 #include "shared/mesh/front/space.h"
 #include "shared/surf/mesh/chart_input.h"
 #include "shared/surf/mesh/scaled_chart.h"
+#include "shared/surf/mesh/tips.h"
 
 namespace dobra::surf::mesh {
 
@@ -32,7 +33,7 @@ struct ChartSizes {
 /// @cost  some jets of the surface for each cell.
 base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
                                      std::span<const dobra::mesh::delaunay::SizeRequest> requests,
-                                     std::span<const geom::Point3> tips, const SizeOptions& options,
+                                     std::span<const Tip> tips, const SizeOptions& options,
                                      const base::Progress& progress = {});
 
 /// L of the options, or a twentieth of the surface.

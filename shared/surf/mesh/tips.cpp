@@ -99,7 +99,7 @@ double nearest_side(const ChartInput& input, Point3 at) {
 }
 
 void add_wheel(const ChartInput& given, std::size_t tip, double radius, const SizeOptions& sizes, double largest,
-               ChartInput& made) {
+               Tips& tips) {
   constexpr double clear = 0.3;  // of the way to the nearest side
   const Point3 at = given.at[tip];
   const Wheel wheel(given, tip, radius);
@@ -108,6 +108,9 @@ void add_wheel(const ChartInput& given, std::size_t tip, double radius, const Si
   const double whole = angles.back();
   const std::size_t count = spokes_of(whole);
   const double side = std::max(sizes.least, std::min(largest, wheel.size_at(tip_seen * largest, sizes)));
+  if (!(side > 0.0)) return;
+  tips.tips.push_back({at, side});
+  ChartInput& made = tips.input;
   const double part = whole / static_cast<double>(count);
   const double length = std::min(0.5 * side / std::sin(0.5 * part), clear * nearest_side(given, at));
   if (!(length > 0.0) || !std::isfinite(length)) return;
@@ -143,8 +146,7 @@ Tips with_wheels(const ChartInput& input, const SizeOptions& sizes, double large
   const double radius = 0.5 * geom::box_of(input.chart.points).diagonal();
   for (std::size_t p = 0; p < on_edge.size(); ++p) {
     if (on_edge[p] != 0 || !trim::has_tip(input.surface, input.chart.points[p], radius)) continue;
-    tips.at.push_back(input.at[p]);
-    add_wheel(input, p, radius, sizes, largest, tips.input);
+    add_wheel(input, p, radius, sizes, largest, tips);
   }
   return tips;
 }

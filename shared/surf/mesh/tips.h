@@ -11,13 +11,20 @@
 
 namespace dobra::surf::mesh {
 
+struct Tip {
+  geom::Point3 at;    ///< m.
+  double size = 0.0;  ///< Wanted there, m.
+};
+
 struct Tips {
-  ChartInput input;              ///< With the points and constraints of the wheels behind those given.
-  std::vector<geom::Point3> at;  ///< m.
+  ChartInput input;  ///< With the points and constraints of the wheels behind those given.
+  std::vector<Tip> tips;
 };
 
 /// The part of the largest size within which sizes near a tip are those at that distance: its curvature has no bound.
 inline constexpr double tip_seen = 0.01;
+/// By how much sizes grow a metre of way from a tip: no row of the front is left to the gaps.
+inline constexpr double tip_growth = 0.15;
 
 /// Of points that belong to no edge. A wheel has sides as long as the sizes wanted at the tip, and is smaller where a
 /// border is near; it is left out where the surface has no places round the tip.
