@@ -197,7 +197,7 @@ def flaws_of(face, said, nodes, triangles, wanted):
             flaws["area"] = f"area {whole:.6g}, meant is {area:.6g}"
         if abs(said["area_surface"] - area) > (1e-4 + face["unsure"]) * area + face["tolerance"] * length:
             flaws["area_surface"] = f"area_surface {said['area_surface']:.6g}, meant is {area:.6g}"
-        if least < FLAT and least < 0.999 * (bound := min(FLAT, corner_bound(face["edges"], nodes, triangles))):
+        if least < FLAT and least < 0.98 * (bound := min(FLAT, corner_bound(face["edges"], nodes, triangles))):
             flaws["alpha"] = f"alpha {least:.4f} below {bound:.4f}"
     if abs(said["area"] - whole) > 1e-6 * whole or abs(said["alpha_min"] - least) > 1e-4:
         flaws["figures"] = f"says area {said['area']:.8g} and alpha {said['alpha_min']:.4f}; {whole:.8g}, {least:.4f}"

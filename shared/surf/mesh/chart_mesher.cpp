@@ -251,7 +251,8 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
   ChartMeshOptions own = options;
   std::optional<FaceMesh> best;
   Faults fewest;
-  for (int attempt = 0; attempt <= options.attempts; ++attempt) {
+  for (int attempt = 0; attempt <= options.attempts || (best && fewest.folded > 0 && attempt <= options.unfolding);
+       ++attempt) {
     DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, own, progress));
     while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
     FaceMesh made = mesher.mesh();

@@ -26,6 +26,7 @@ struct ChartMeshOptions {
   /// Where a mesh folds in space or has flat triangles, mesh_chart begins again with sizes inside that are smaller by
   /// this, so often, and takes the best.
   int attempts = 2;
+  int unfolding = 5;  ///< So often where it folds: then there is no mesh at all.
   double smaller = 0.93;
   /// Meshes of more triangles have one round before and one after, nodes rest that are twice as far from their best
   /// place, and a few flat triangles are no reason to begin again.
