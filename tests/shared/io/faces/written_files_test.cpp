@@ -124,6 +124,23 @@ TEST(WrittenFiles, ALineTurnedRoundAnAxisThatItTouchesIsACone) {
   expect_mesh(support::brep_text(draft), 0.15, std::numbers::pi * std::sqrt(2.0), 1);
 }
 
+TEST(WrittenFiles, AQuarterCircleTurnedRoundItsDiameterHasAPole) {
+  // The meridian (cos v, 0, sin v) of a sphere of radius 2, from the equator to the pole.
+  const Carrier dome{"7 0 0 0 0 0 1\n2 0 0 0 0 -1 0 1 0 0 0 0 1 2\n", ball_of(2.0).at};
+  for (const bool flagged : {false, true}) {
+    DraftFace draft{dome};
+    const double up = 0.25 * whole_turn;
+    const Point a{0.0, 0.0}, b{whole_turn, 0.0}, c{whole_turn, up}, d{0.0, up};
+    const std::size_t low = draft.add_vertex(a), high = draft.add_vertex(d);
+    const std::size_t bottom = draft.add_edge({line_path(a, b), std::nullopt, low, low});
+    const std::size_t seam = draft.add_edge({line_path(b, c), line_path(a, d), low, high});
+    draft.wires.push_back({{bottom, '+'}, {seam, '+'}});
+    if (flagged) draft.wires[0].push_back({draft.add_edge({line_path(d, c), std::nullopt, high, high, true}), '-'});
+    draft.wires[0].push_back({seam, '-'});
+    expect_mesh(support::brep_text(draft), 0.3, 4.0 * whole_turn, 1);
+  }
+}
+
 TEST(WrittenFiles, AnExtrudedSplineHasTheLengthOfItsCurveTimesItsHeight) {
   // The Bezier curve (0, 0), (1, 2), (2, 0) is the parabola y = 2 x - x^2: half of it is as long as the integral of
   // sqrt(1 + 4 t^2) from 0 to 1.
