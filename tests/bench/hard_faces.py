@@ -2,7 +2,7 @@
 """Faces of boundary models that are hard to mesh, given to the program one by one, and its meshes checked by rules that
 share nothing with it.
 
-    tests/bench/hard_faces.py build/release/bin/quebra build/bench/bin/hard_faces_writer [--first N] [--faces N]
+    tests/bench/hard_faces.py build/release/bin/quebra build/release/bin/hard_faces_writer [--first N] [--faces N]
         [--kinds K,K...] [--parts 0,10,30,100] [--seconds S] [--memory MB] [--show] [--keep FOLDER] [--strict]
 
 The writer makes the faces of tests/support/hard_faces.h. Each is meshed with the program's own size (part 0) and with
@@ -225,7 +225,8 @@ def findings_without(findings):
 
 def run(program, arguments, limits):
     def limited():
-        resource.setrlimit(resource.RLIMIT_AS, (limits["memory"] << 20, limits["memory"] << 20))
+        if limits["memory"]:
+            resource.setrlimit(resource.RLIMIT_AS, (limits["memory"] << 20, limits["memory"] << 20))
         resource.setrlimit(resource.RLIMIT_CPU, (3 * limits["seconds"], 3 * limits["seconds"]))
 
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -285,7 +286,7 @@ def main():
     parser.add_argument("--kinds", default="")
     parser.add_argument("--parts", default="0,10,30,100")
     parser.add_argument("--seconds", type=int, default=10)
-    parser.add_argument("--memory", type=int, default=6000)
+    parser.add_argument("--memory", type=int, default=6000, help="MB of address space; 0: as much as there is")
     parser.add_argument("--show", action="store_true", help="a line for each answer that is not clean")
     parser.add_argument("--keep", help="the files stay in this folder")
     parser.add_argument("--strict", action="store_true")

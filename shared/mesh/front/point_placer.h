@@ -16,8 +16,7 @@
 // Notation: h wanted size; R circumradius; a cell is accepted once sqrt(3) R <= accept * h, given up when no point can
 // be put for it; both let the front pass. Active: neither, but beside a marked side or a cell that lets the front pass.
 // 1. On a surface: halve the sides of cells over which it turns by more than 60 degrees, whose circles mean nothing.
-// Rate
-//    all cells; queue the active ones.
+//    Rate all cells; queue the active ones.
 // 2. Take the worst active cell; for its active sides, shortest first, compute the ideal point, check that it keeps
 // clear
 //    of vertices and marked sides, insert it; rate the cells round it. If no side gives a point, give the cell up.
