@@ -20,7 +20,8 @@
 // 2. Take the worst active cell; for its active sides, shortest first, compute the ideal point, check that it keeps
 // clear
 //    of vertices and marked sides, insert it; rate the cells round it. If no side gives a point, give the cell up.
-// 3. For cells given up that are still too large, try their circumcentre.
+// 3. For cells given up that are still too large, try their circumcentre, and on a surface the middle of the longest
+//    side.
 
 namespace dobra::mesh::front {
 
@@ -64,6 +65,7 @@ class PointPlacer final : public FillEngine {
   void update_star(Kernel::Vertex v);
   void give_up(Kernel::Cell c);
   bool try_circumcentres();
+  bool halve(Kernel::Cell c);
   void split_turned();
 
   Kernel& kernel_;
@@ -103,30 +105,33 @@ PointPlacer<Space>::PointPlacer(Kernel& kernel, Space& space, const sizing::Size
   if constexpr (Space::curved) split_turned();
 }
 
-/// The longest side in the chart of each, while it is longer than the size wanted.
+/// A node in the middle of the side that is longest in the chart, if it is longer than the size wanted.
+template <class Space>
+bool PointPlacer<Space>::halve(Kernel::Cell c) {
+  constexpr double longest = 1.5;  // of the size wanted
+  const auto chart_length = [&](std::uint32_t i) {
+    const Kernel::Half e = Kernel::half(c, i);
+    return geom::distance(kernel_.point(kernel_.origin(e)), kernel_.point(kernel_.target(e)));
+  };
+  std::uint32_t side = chart_length(0) >= chart_length(1) ? 0 : 1;
+  if (chart_length(2) > chart_length(side)) side = 2;
+  const Kernel::Half e = Kernel::half(c, side);
+  const Kernel::Vertex from = kernel_.origin(e), to = kernel_.target(e);
+  Place middle = space_.between(from, to, 0.5);
+  if (kernel_.mark(e) != 0 || !space_.ground(middle)) return false;
+  const double way = geom::distance(space_.at(from), middle.at) + geom::distance(middle.at, space_.at(to));
+  return way > longest * sizes_.at(middle.chart()) && try_point(middle, c);
+}
+
 template <class Space>
 void PointPlacer<Space>::split_turned() {
-  constexpr double longest = 1.5;  // of the size wanted
   for (std::size_t before = inserted_ + 1; inserted_ != before;) {
     before = inserted_;
     const auto count = static_cast<Kernel::Cell>(kernel_.cell_count());
     if (count > most_cells_) return;
     for (Kernel::Cell c = 0; c < count; ++c) {
-      if (kernel_.cell(c).region < 0) continue;
       const auto [a, b, d] = kernel_.cell(c).vertex;
-      if (!space_.turns(a, b, d)) continue;
-      const auto chart_length = [&](std::uint32_t i) {
-        const Kernel::Half e = Kernel::half(c, i);
-        return geom::distance(kernel_.point(kernel_.origin(e)), kernel_.point(kernel_.target(e)));
-      };
-      std::uint32_t side = chart_length(0) >= chart_length(1) ? 0 : 1;
-      if (chart_length(2) > chart_length(side)) side = 2;
-      const Kernel::Half e = Kernel::half(c, side);
-      const Kernel::Vertex from = kernel_.origin(e), to = kernel_.target(e);
-      Place middle = space_.between(from, to, 0.5);
-      if (kernel_.mark(e) != 0 || !space_.ground(middle)) continue;
-      const double way = geom::distance(space_.at(from), middle.at) + geom::distance(middle.at, space_.at(to));
-      if (way > longest * sizes_.at(middle.chart())) try_point(middle, c);
+      if (kernel_.cell(c).region >= 0 && space_.turns(a, b, d)) halve(c);
     }
   }
 }
@@ -322,7 +327,11 @@ bool PointPlacer<Space>::try_circumcentres() {
   for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
     if (state_[c] != State::GivenUp) continue;
     const auto [a, b, d] = kernel_.cell(c).vertex;
-    try_point(space_.in_plane(a, b, d, to_centre(a, b, d)), c);
+    const bool placed = try_point(space_.in_plane(a, b, d, to_centre(a, b, d)), c);
+    // Needles have their centres far away.
+    if constexpr (Space::curved) {
+      if (!placed) halve(c);
+    }
   }
   return inserted_ > before;
 }
@@ -343,7 +352,7 @@ base::Result<void> PointPlacer<Space>::step(std::size_t count, const base::Progr
       return {};
     }
   }
-  constexpr int most_rounds = 8;
+  constexpr int most_rounds = Space::curved ? 32 : 8;
   if (queue_.empty()) done_ = rounds_++ == most_rounds || !try_circumcentres();
   return {};
 }
