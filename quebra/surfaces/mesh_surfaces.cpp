@@ -127,8 +127,33 @@ Result<std::function<double(geom::Point, geom::Point3)>> wanted_by(const std::st
   });
 }
 
+/// Where the area is missed by most: at the largest triangle of the face whose area is farthest from its surface's.
+/// @param areas  of the surfaces of the faces
+base::Place area_lost_at(const model::SurfaceMeshed& meshed, const Charts& charts, const model::SurfaceSet& set,
+                         const std::vector<double>& areas) {
+  const surf::mesh::SurfaceMesh& mesh = meshed.mesh;
+  std::vector<double> lost = areas, greatest(areas.size(), 0.0);
+  std::vector<geom::Point3> at(areas.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::size_t face = charts.owner[mesh.faces[t]];
+    const auto& corners = mesh.triangles[t];
+    const geom::Point3 a = mesh.point(corners[0]), b = mesh.point(corners[1]), c = mesh.point(corners[2]);
+    const double area = 0.5 * geom::length(cross(b - a, c - a));
+    lost[face] -= area;
+    if (area > greatest[face]) greatest[face] = area, at[face] = a;
+  }
+  const auto most =
+      std::max_element(lost.begin(), lost.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }) -
+      lost.begin();
+  base::Place place = set.faces[static_cast<std::size_t>(most)].place;
+  const geom::Point3 p = at[static_cast<std::size_t>(most)];
+  place.x = p.x, place.y = p.y, place.z = p.z;
+  return place;
+}
+
 /// What a mesh that was made all the same is to be doubted for.
-void doubt(model::SurfaceMeshed& meshed) {
+void doubt(model::SurfaceMeshed& meshed, const Charts& charts, const model::SurfaceSet& set,
+           const std::vector<double>& areas) {
   constexpr double off = 0.01, flat = 0.1;
   const double gap = std::abs(meshed.quality.area - meshed.area_surface);
   if (gap > off * meshed.area_surface) {
@@ -137,7 +162,7 @@ void doubt(model::SurfaceMeshed& meshed) {
          fmt::format("the mesh has an area of {:.6g} m2, its surfaces one of {:.6g} m2: use smaller "
                      "sizes, or look at the borders that were mended",
                      meshed.quality.area, meshed.area_surface),
-         {}});
+         area_lost_at(meshed, charts, set, areas)});
   }
   if (meshed.quality.triangles == 0 || meshed.quality.alpha_min >= flat) return;
   const auto& corners = meshed.mesh.triangles[meshed.quality.worst.index()];
@@ -159,7 +184,11 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   Stopwatch watch;
   model::SurfaceMeshed meshed;
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
-  for (const auto& face : set.faces) meshed.area_surface += surf::trim::area(face).value;
+  std::vector<double> areas;
+  for (const auto& face : set.faces) {
+    areas.push_back(surf::trim::area(face).value);
+    meshed.area_surface += areas.back();
+  }
   done("area");
   DOBRA_TRY(const Charts charts, open_charts(set));
   if (!options.size_formula.empty()) {
@@ -189,7 +218,7 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   DOBRA_TRY_VOID(surf::mesh::check(meshed.mesh));
   done("assemble");
   meshed.quality = surf::mesh::quality_of(meshed.mesh);
-  doubt(meshed);
+  doubt(meshed, charts, set, areas);
   meshed.elements = surf::mesh::elements_of(meshed.mesh);
   if (options.quadrilaterals) meshed.elements = surf::mesh::recombine(meshed.elements);
   if (options.second_order)
