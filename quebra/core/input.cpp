@@ -14,6 +14,7 @@
 #include "quebra/repair/repair.h"
 #include "quebra/sketch/roles_by_name.h"
 #include "quebra/sketch/sketch_file.h"
+#include "quebra/solids/parts.h"
 #include "quebra/surfaces/finding_text.h"
 #include "shared/geom/drawn_curve.h"
 #include "shared/io/faces/import.h"
@@ -328,10 +329,26 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
                   std::move(made.findings), context);
 }
 
+/// A model whose steps make its parts.
+Result<model::Model> read_solids(const dobra::scenario::Table& table, const dobra::scenario::Context& context) {
+  for (const auto& entry : table.entries()) {
+    if (entry.key == "solids") continue;
+    return Error{ErrorCode::BadValue,
+                 fmt::format("`{}` stands beside solids = true, where steps alone make the model", entry.key),
+                 table.place(entry.key)};
+  }
+  model::Model model;
+  model.units = context.shown_units;
+  model.domain.unit = context.units.to_si(1.0, "m");
+  model.solids = std::make_shared<const solids::Parts>();
+  return model;
+}
+
 }  // namespace
 
 Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
+  if (params.solids) return read_solids(table, context);
   if (!params.surfaces.empty()) return read_surfaces(params, table, context);
   DOBRA_TRY_VOID(check_without_surfaces(params, table));
   if (is_brep(params.file)) return read_faces(params, table, context);

@@ -6294,5 +6294,353 @@
         <source>Charts are those of the first {} of {} surfaces.</source>
         <translation>As cartas são as das primeiras {} de {} superfícies.</translation>
     </message>
+    <message>
+        <source>Solids</source>
+        <translation>Sólidos</translation>
+    </message>
+    <message>
+        <source>The steps make solids: there is no plane domain before the step `cut` makes one of them.</source>
+        <translation>As etapas fazem sólidos: não há domínio plano antes que a etapa `cut` faça um deles.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Bloco</translation>
+    </message>
+    <message>
+        <source>A box by its three sizes.</source>
+        <translation>Uma caixa por seus três tamanhos.</translation>
+    </message>
+    <message>
+        <source>Prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <source>Over a regular polygon.</source>
+        <translation>Sobre um polígono regular.</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pirâmide</translation>
+    </message>
+    <message>
+        <source>Over a regular polygon, to a point.</source>
+        <translation>Sobre um polígono regular, até um ponto.</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cilindro</translation>
+    </message>
+    <message>
+        <source>Over a polygon that stands for a circle.</source>
+        <translation>Sobre um polígono que representa um círculo.</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cone</translation>
+    </message>
+    <message>
+        <source>Over a polygon that stands for a circle, to a point or a smaller circle.</source>
+        <translation>Sobre um polígono que representa um círculo, até um ponto ou um círculo menor.</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>About its origin, with corners on the sphere.</source>
+        <translation>Em torno de sua origem, com vértices na esfera.</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Toro</translation>
+    </message>
+    <message>
+        <source>A ring about its z axis.</source>
+        <translation>Um anel em torno de seu eixo z.</translation>
+    </message>
+    <message>
+        <source>Extruded profile</source>
+        <translation>Perfil extrudado</translation>
+    </message>
+    <message>
+        <source>A plane contour with holes, moved along a vector.</source>
+        <translation>Um contorno plano com furos, movido ao longo de um vetor.</translation>
+    </message>
+    <message>
+        <source>Profile along a path</source>
+        <translation>Perfil ao longo de um caminho</translation>
+    </message>
+    <message>
+        <source>A plane contour with holes, moved along straight legs with mitred corners.</source>
+        <translation>Um contorno plano com furos, movido por trechos retos com cantos em meia-esquadria.</translation>
+    </message>
+    <message>
+        <source>Turned profile</source>
+        <translation>Perfil de revolução</translation>
+    </message>
+    <message>
+        <source>A contour of (radius, z) turned about the z axis, all the way round or part of it.</source>
+        <translation>Um contorno de (raio, z) girado em torno do eixo z, por inteiro ou em parte.</translation>
+    </message>
+    <message>
+        <source>Solid of a file</source>
+        <translation>Sólido de um arquivo</translation>
+    </message>
+    <message>
+        <source>A solid whose boundary a file holds.</source>
+        <translation>Um sólido cuja fronteira está em um arquivo.</translation>
+    </message>
+    <message>
+        <source>United parts</source>
+        <translation>Peças unidas</translation>
+    </message>
+    <message>
+        <source>What is in any of the parts, as one body.</source>
+        <translation>O que está em alguma das peças, como um só corpo.</translation>
+    </message>
+    <message>
+        <source>Common part</source>
+        <translation>Parte comum</translation>
+    </message>
+    <message>
+        <source>What of the first part is in all the others.</source>
+        <translation>O que da primeira peça está em todas as outras.</translation>
+    </message>
+    <message>
+        <source>Part without others</source>
+        <translation>Peça sem as outras</translation>
+    </message>
+    <message>
+        <source>What of the first part is in none of the others.</source>
+        <translation>O que da primeira peça não está em nenhuma das outras.</translation>
+    </message>
+    <message>
+        <source>Group of parts</source>
+        <translation>Grupo de peças</translation>
+    </message>
+    <message>
+        <source>Parts side by side, each with its material; it is placed and cut as one.</source>
+        <translation>Peças lado a lado, cada uma com seu material; o grupo é posicionado e cortado como uma só.</translation>
+    </message>
+    <message>
+        <source>Placed part</source>
+        <translation>Peça posicionada</translation>
+    </message>
+    <message>
+        <source>Parts scaled, turned and moved, or placed by a matrix; those they are made of stay.</source>
+        <translation>Peças escaladas, giradas e movidas, ou posicionadas por uma matriz; aquelas de que são feitas ficam.</translation>
+    </message>
+    <message>
+        <source>Rounded part</source>
+        <translation>Peça arredondada</translation>
+    </message>
+    <message>
+        <source>All edges and corners of a convex part rounded.</source>
+        <translation>Todas as arestas e vértices de uma peça convexa arredondados.</translation>
+    </message>
+    <message>
+        <source>Section by a plane</source>
+        <translation>Seção por um plano</translation>
+    </message>
+    <message>
+        <source>The section of parts becomes the plane domain: outlines, holes and materials.</source>
+        <translation>A seção das peças torna-se o domínio plano: contornos, furos e materiais.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Peça</translation>
+    </message>
+    <message>
+        <source>What the result is called; later steps name it in `of`, and its faces begin with it.</source>
+        <translation>Como o resultado se chama; etapas posteriores o citam em `of`, e suas faces começam com ele.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Region of the domains that are cut from it; empty: the name of the part.</source>
+        <translation>Região dos domínios cortados dela; vazio: o nome da peça.</translation>
+    </message>
+    <message>
+        <source>At (x, y, z)</source>
+        <translation>Em (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Where its origin is put.</source>
+        <translation>Onde fica sua origem.</translation>
+    </message>
+    <message>
+        <source>Direction in which its z axis is turned; z where left out.</source>
+        <translation>Direção para a qual seu eixo z é girado; z se omitido.</translation>
+    </message>
+    <message>
+        <source>Size (x, y, z)</source>
+        <translation>Tamanho (x, y, z)</translation>
+    </message>
+    <message>
+        <source>From its origin, which is a corner; each above 0.</source>
+        <translation>A partir de sua origem, que é um vértice; cada um maior que 0.</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Lados</translation>
+    </message>
+    <message>
+        <source>Of its base.</source>
+        <translation>De sua base.</translation>
+    </message>
+    <message>
+        <source>From the middle of its base to a corner.</source>
+        <translation>Do meio de sua base até um vértice.</translation>
+    </message>
+    <message>
+        <source>Corners of the polygon that stands for a circle, all of them on it.</source>
+        <translation>Vértices do polígono que representa um círculo, todos sobre ele.</translation>
+    </message>
+    <message>
+        <source>Radius at the top</source>
+        <translation>Raio no topo</translation>
+    </message>
+    <message>
+        <source>0 makes a point.</source>
+        <translation>0 faz um ponto.</translation>
+    </message>
+    <message>
+        <source>From pole to pole.</source>
+        <translation>De polo a polo.</translation>
+    </message>
+    <message>
+        <source>Below the radius.</source>
+        <translation>Menor que o raio.</translation>
+    </message>
+    <message>
+        <source>Corners round the tube.</source>
+        <translation>Vértices em volta do tubo.</translation>
+    </message>
+    <message>
+        <source>Corners of a closed contour.</source>
+        <translation>Vértices de um contorno fechado.</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Furos</translation>
+    </message>
+    <message>
+        <source>Of the profile.</source>
+        <translation>Do perfil.</translation>
+    </message>
+    <message>
+        <source>By (x, y, z)</source>
+        <translation>Por (x, y, z)</translation>
+    </message>
+    <message>
+        <source>How far the profile, which lies in z = 0, is moved.</source>
+        <translation>Quanto o perfil, que está em z = 0, é movido.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Caminho</translation>
+    </message>
+    <message>
+        <source>Points in space that the profile&apos;s origin moves along; corners are mitred.</source>
+        <translation>Pontos no espaço por onde a origem do perfil se move; os cantos são em meia-esquadria.</translation>
+    </message>
+    <message>
+        <source>Corners of a closed contour of (radius, z); sides on the axis make no faces.</source>
+        <translation>Vértices de um contorno fechado de (raio, z); lados no eixo não fazem faces.</translation>
+    </message>
+    <message>
+        <source>In degrees about the z axis, anticlockwise from x.</source>
+        <translation>Em graus em torno do eixo z, anti-horário a partir de x.</translation>
+    </message>
+    <message>
+        <source>Over the whole angle.</source>
+        <translation>Em todo o ângulo.</translation>
+    </message>
+    <message>
+        <source>The boundary of a solid.</source>
+        <translation>A fronteira de um sólido.</translation>
+    </message>
+    <message>
+        <source>Boundaries of solids</source>
+        <translation>Fronteiras de sólidos</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Names of parts that steps before have made; a part may be used more than once.</source>
+        <translation>Nomes de peças que etapas anteriores fizeram; uma peça pode ser usada mais de uma vez.</translation>
+    </message>
+    <message>
+        <source>Scale (x, y, z)</source>
+        <translation>Escala (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Factors about the point `about`, first; negative ones mirror.</source>
+        <translation>Fatores em torno do ponto `about`, primeiro; negativos espelham.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>In degrees, anticlockwise about an axis through the point `about`, second.</source>
+        <translation>Em graus, anti-horário em torno de um eixo pelo ponto `about`, depois.</translation>
+    </message>
+    <message>
+        <source>Axis of the turn</source>
+        <translation>Eixo do giro</translation>
+    </message>
+    <message>
+        <source>z where left out.</source>
+        <translation>z se omitido.</translation>
+    </message>
+    <message>
+        <source>About (x, y, z)</source>
+        <translation>Em torno de (x, y, z)</translation>
+    </message>
+    <message>
+        <source>What stays in its place while scaled and turned.</source>
+        <translation>O que fica no lugar ao escalar e girar.</translation>
+    </message>
+    <message>
+        <source>How far it is moved, last.</source>
+        <translation>Quanto é movido, por último.</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matriz</translation>
+    </message>
+    <message>
+        <source>In place of all that: 16 numbers row by row, applied to columns (x, y, z, 1).</source>
+        <translation>No lugar de tudo isso: 16 números linha por linha, aplicados a colunas (x, y, z, 1).</translation>
+    </message>
+    <message>
+        <source>Of all edges.</source>
+        <translation>De todas as arestas.</translation>
+    </message>
+    <message>
+        <source>Planes by which one face turns into its neighbour; 2 makes chamfers.</source>
+        <translation>Planos pelos quais uma face passa à vizinha; 2 faz chanfros.</translation>
+    </message>
+    <message>
+        <source>In the plane of the section, from start to end; an end on the boundary opens there.</source>
+        <translation>No plano da seção, do início ao fim; uma ponta na fronteira abre-se ali.</translation>
+    </message>
+    <message>
+        <source>Names of parts; the last part where left out.</source>
+        <translation>Nomes de peças; a última se omitido.</translation>
+    </message>
+    <message>
+        <source>a, b, c, d of the plane a x + b y + c z + d = 0; the section is seen from where that is positive.</source>
+        <translation>a, b, c, d do plano a x + b y + c z + d = 0; a seção é vista de onde isso é positivo.</translation>
+    </message>
+    <message>
+        <source>Drawn in the section.</source>
+        <translation>Desenhadas na seção.</translation>
+    </message>
 </context>
 </TS>
