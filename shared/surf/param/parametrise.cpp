@@ -150,18 +150,19 @@ Result<double> on_stones(const Sheet& sheet, const std::vector<std::uint32_t>& s
 
 Result<void> check_stones(const Sheet& sheet, const std::vector<std::uint32_t>& stones) {
   const auto& loop = sheet.loops[0];
-  std::size_t wraps = 0;
-  std::ptrdiff_t last = -1;
+  std::vector<std::ptrdiff_t> position;
   for (const std::uint32_t v : stones) {
     const auto found = std::find(loop.begin(), loop.end(), v);
     if (found == loop.end())
       return Error{ErrorCode::InvalidOption, fmt::format("point {}, given as a border stone, is not on the border", v)};
-    if (found - loop.begin() <= last) ++wraps;
-    last = found - loop.begin();
+    position.push_back(found - loop.begin());
   }
-  if (stones.size() < 3 || wraps > 1)
+  std::size_t wraps = 0;
+  for (std::size_t i = 0; i < position.size(); ++i) wraps += position[(i + 1) % position.size()] <= position[i] ? 1 : 0;
+  if (stones.size() < 3 || wraps != 1) {
     return Error{ErrorCode::InvalidOption,
                  "border stones are three at least, in the order of the border, the sheet on its left"};
+  }
   return {};
 }
 

@@ -82,8 +82,8 @@ struct Opened {
 };
 
 /// Cut along sides so that a disk remains: of a sheet with a border from border to border, of a closed one along loops
-/// through one point, or between two points far apart where it is a sphere. The greedy cut by shortest ways: no cut
-/// through the same point, or the same borders, is shorter. A disk stays as it is.
+/// through one point, or between two points far apart where it is a sphere. Each way is the shortest of its kind, the
+/// greedy choice of the source; ways may run together. A disk stays as it is.
 /// @cost O(n log n)
 Opened open(const Sheet& sheet);
 

@@ -82,6 +82,17 @@ bool shape_preserving(const Ring& ring, std::vector<double>& weights) {
   return *std::min_element(weights.begin(), weights.end()) > 0.0;
 }
 
+/// Least degree first. Eigen's own class gives the inverse of the order that its LU asks for.
+struct LeastDegree {
+  using PermutationType = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+  template <class Matrix>
+  void operator()(const Matrix& matrix, PermutationType& order) const {
+    PermutationType inverse;
+    Eigen::AMDOrdering<int>()(matrix, inverse);
+    order = inverse.inverse();
+  }
+};
+
 void weigh(const Ring& ring, Weights kind, std::vector<double>& weights) {
   weights.assign(ring.vertices.size(), 0.0);
   if (kind == Weights::MeanValue || !shape_preserving(ring, weights)) mean_value(ring, weights);
@@ -133,7 +144,7 @@ base::Result<void> solve_inside(const Sheet& sheet, Weights kind, std::vector<Po
   Eigen::SparseMatrix<double> matrix(rows, rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
   // Diagonally dominant by rows, and its pattern is symmetric: no pivots are needed but those of the diagonal.
-  Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::AMDOrdering<int>> solver;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>, LeastDegree> solver;
   solver.isSymmetric(true);
   solver.setPivotThreshold(0.0);
   solver.analyzePattern(matrix);

@@ -1,1 +1,0 @@
-namespace dobra::surf::remesh {}
