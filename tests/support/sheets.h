@@ -12,7 +12,7 @@
 
 namespace dobra::surf::test {
 
-using mesh::PolygonMesh;
+using dobra::mesh::PolygonMesh;
 
 /// A rectangle of columns x rows cells in two triangles each, over [0, 1]^2, each corner where `at` puts it; diagonals
 /// change from cell to cell. Cells for which `leave_out` holds are not there.

@@ -284,7 +284,7 @@ base::Result<Sheet> connect(std::vector<Point3> points, std::vector<Triangle> tr
   return sheet;
 }
 
-base::Result<SheetMade> sheet_of(const mesh::PolygonMesh& mesh, const SheetOptions& options) {
+base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options) {
   SheetMade made;
   Mended& mended = made.mended;
   std::vector<Point3> points = mesh.points;

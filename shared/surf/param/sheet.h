@@ -63,7 +63,7 @@ struct SheetMade {
 /// @error NotFinite; CannotMesh with the place {x, y, z}: no triangle, a side of three triangles, no way to turn the
 ///        triangles alike, several pieces, a point in which parts meet, a triangle without area that cannot be mended.
 /// @cost  O(n log n)
-base::Result<SheetMade> sheet_of(const mesh::PolygonMesh& mesh, const SheetOptions& options = {});
+base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options = {});
 
 /// Twins and loops of triangles that are turned alike. @error as sheet_of
 base::Result<Sheet> connect(std::vector<geom::Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles);
