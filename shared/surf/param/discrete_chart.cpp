@@ -50,13 +50,13 @@ struct PiecesShape : Surface::Shape {
       const auto& t = chart->sheet().triangles[place.triangle];
       const auto& points = chart->sheet().points;
       const Tangents by = tangents(place.triangle);
-      jets[i] = {
-          points[t[0]] + place.at[1] * (points[t[1]] - points[t[0]]) + place.at[2] * (points[t[2]] - points[t[0]]),
-          by.u,
-          by.v,
-          {},
-          {},
-          {}};
+      jets[i] = {points[t[0]] + place.at[1] * (points[t[1]] - points[t[0]]) +
+                     place.at[2] * (points[t[2]] - points[t[0]]) + place.beyond.x * by.u + place.beyond.y * by.v,
+                 by.u,
+                 by.v,
+                 {},
+                 {},
+                 {}};
     }
   }
   [[nodiscard]] Bend bend(const Box& part) const override {
@@ -79,7 +79,17 @@ struct PiecesShape : Surface::Shape {
 }  // namespace
 
 DiscreteChart::DiscreteChart(Sheet sheet, std::vector<Point> uv)
-    : sheet_(std::move(sheet)), uv_(std::move(uv)), index_(index_of(sheet_, uv_)) {}
+    : sheet_(std::move(sheet)), uv_(std::move(uv)), index_(index_of(sheet_, uv_)) {
+  std::vector<Box> boxes;
+  for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
+    if (sheet_.twins[h] != no_half_edge) continue;
+    border_.push_back(h);
+    boxes.emplace_back();
+    boxes.back().add(uv_[sheet_.start(h)]);
+    boxes.back().add(uv_[sheet_.end(h)]);
+  }
+  border_index_ = geom::SpatialIndex(boxes);
+}
 
 std::array<double, 3> DiscreteChart::coordinates(std::uint32_t triangle, Point p) const {
   const auto& t = sheet_.triangles[triangle];
@@ -127,16 +137,17 @@ Located DiscreteChart::locate(Point p, std::optional<std::uint32_t> hint) const 
     if (!outside(a, b) && !outside(b, c) && !outside(c, a)) lowest = t;
   });
   if (lowest) return {*lowest, coordinates(*lowest, p), true};
-  const auto nearest = index_.nearest(p, [&](std::size_t item) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const geom::Segment side{uv_[sheet_.triangles[item][i]], uv_[sheet_.triangles[item][(i + 1) % 3]]};
-      least = std::min(least, distance(p, geom::interpolate(side.from, side.to, nearest_fraction(side, p))));
-    }
-    return least;
+  const auto nearest = border_index_.nearest(p, [&](std::size_t item) {
+    const geom::Segment side{uv_[sheet_.start(border_[item])], uv_[sheet_.end(border_[item])]};
+    return distance(p, geom::interpolate(side.from, side.to, nearest_fraction(side, p)));
   });
-  const auto t = static_cast<std::uint32_t>(nearest ? nearest->item : 0);
-  return {t, coordinates(t, p), false};
+  const HalfEdge h = nearest ? border_[nearest->item] : 0;
+  const geom::Segment side{uv_[sheet_.start(h)], uv_[sheet_.end(h)]};
+  const double part = nearest_fraction(side, p);
+  Located found{h / 3, {}, false, p - geom::interpolate(side.from, side.to, part)};
+  found.at[h % 3] = 1.0 - part;
+  found.at[next(h) % 3] = part;
+  return found;
 }
 
 base::Result<Surface> plane_pieces(std::shared_ptr<const DiscreteChart> chart) {

@@ -17,7 +17,8 @@ namespace dobra::surf::param {
 struct Located {
   std::uint32_t triangle = 0;
   std::array<double, 3> at{};
-  bool inside = true;  ///< Else the triangle is the nearest one, and a coordinate is negative.
+  bool inside = true;        ///< Else the nearest place of the border is meant,
+  geom::Vector beyond = {};  ///< and this is the step from there.
 };
 
 /// Any number of threads may ask at once.
@@ -48,6 +49,8 @@ class DiscreteChart {
   Sheet sheet_;
   std::vector<geom::Point> uv_;
   geom::SpatialIndex index_;
+  std::vector<HalfEdge> border_;
+  geom::SpatialIndex border_index_;  ///< By number in border_.
 };
 
 /// The value at the vertices between them: f(x) = a f(v0) + b f(v1) + c f(v2). Continuous; its derivatives jump.
@@ -57,7 +60,7 @@ T barycentric(const DiscreteChart& chart, const std::vector<T>& values, const Lo
   return place.at[0] * values[t[0]] + place.at[1] * values[t[1]] + place.at[2] * values[t[2]];
 }
 
-/// The sheet itself over its chart: plane in each triangle. Beyond its border the nearest triangle goes on. Its bend()
+/// The sheet itself over its chart: plane in each triangle. Beyond its border its tangent plane goes on. Its bend()
 /// counts the jumps of its derivatives in a part as if they were spread over it: an estimate, no bound.
 /// @error those of Surface::of
 base::Result<Surface> plane_pieces(std::shared_ptr<const DiscreteChart> chart);

@@ -107,10 +107,10 @@ Jet Recovered::State::jet(const Located& place) const {
     jet.uv = jet.uv + s.x * m.v + s.y * m.u + c * m.uv;
     jet.vv = jet.vv + (2.0 * s.y) * m.v + c * m.vv;
   }
-  if (!meets_border) return jet;
-  for (HalfEdge h = 3 * place.triangle; h < 3 * place.triangle + 3; ++h) {
+  for (HalfEdge h = 3 * place.triangle; meets_border && h < 3 * place.triangle + 3; ++h) {
     if (chart->sheet().twins[h] == no_half_edge) meet(h, place, slopes, jet);
   }
+  if (!place.inside) jet = {jet.at + place.beyond.x * jet.u + place.beyond.y * jet.v, jet.u, jet.v, {}, {}, {}};
   return jet;
 }
 

@@ -60,7 +60,7 @@ class Recovered {
   /// Derivatives by (11), the mean of those of the patches: continuous, and not those of the values between.
   [[nodiscard]] Jet recovered(const Located& place) const;
 
-  /// Over the box of the chart; beyond the border the nearest triangle goes on. Bounds of bend() are half as much again
+  /// Over the box of the chart; beyond the border its tangent plane goes on. Bounds of bend() are half as much again
   /// as those at seven places of each triangle.
   [[nodiscard]] base::Result<Surface> surface() const;
   [[nodiscard]] const PatchReport& patches() const;

@@ -179,26 +179,45 @@ class Remesher {
   bool judge(Remeshed& made, Point3& worst) {
     const auto triangles = triangles_of(made.mesh);
     const TriangleTree tree(made.mesh.points, triangles);
-    bool finer = false;
     made.deviation = 0.0;
-    const double least = options_.least * size_;
     const auto& before = charted_.before;
+    std::vector<double> next = sizes_;
     const auto seen = [&](double off, Point3 place, std::uint32_t old_triangle, std::uint32_t new_triangle) {
       if (off > made.deviation) made.deviation = off, worst = place;
       if (!(options_.chord > 0.0) || off <= options_.chord) return;
       double side = 0.0;
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i) {
         side = std::max(side, geom::distance(made.mesh.points[triangles[new_triangle][i]],
                                              made.mesh.points[triangles[new_triangle][(i + 1) % 3]]));
-      const double size = std::max(least, side * std::clamp(0.8 * std::sqrt(options_.chord / off), 0.4, 0.85));
-      for (const std::uint32_t v : before.triangles[old_triangle]) {
-        if (size < sizes_[v]) sizes_[v] = size, finer = true;
       }
+      const double smaller = std::clamp(0.8 * std::sqrt(options_.chord / off), 0.4, 0.8);
+      for (const std::uint32_t v : before.triangles[old_triangle])
+        next[v] = std::min({next[v], smaller * side, smaller * sizes_[v]});
     };
     look(made.mesh.points, triangles, tree_,
          [&](std::uint32_t t, const TriangleTree::Nearest& n) { seen(n.distance, n.at, n.triangle, t); });
     look(before.points, before.triangles, tree,
          [&](std::uint32_t t, const TriangleTree::Nearest& n) { seen(n.distance, n.at, t, n.triangle); });
+    return take(next);
+  }
+
+  /// Sizes that became smaller, and those of their neighbours, so that the mesher sees them. @return there are some
+  bool take(const std::vector<double>& next) {
+    const double least = options_.least * size_;
+    std::vector<double> spread = next;
+    for (const auto& t : charted_.before.triangles) {
+      for (const std::uint32_t v : t) {
+        for (const std::uint32_t w : t) {
+          if (next[w] < sizes_[w]) spread[v] = std::min(spread[v], next[w]);
+        }
+      }
+    }
+    bool finer = false;
+    for (std::size_t v = 0; v < spread.size(); ++v) {
+      spread[v] = std::max(spread[v], least);
+      finer = finer || spread[v] < sizes_[v];
+    }
+    sizes_ = std::move(spread);
     return finer;
   }
 

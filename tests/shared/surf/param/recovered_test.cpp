@@ -72,7 +72,11 @@ TEST(Recovered, TRI_e_PlacesOnVerticesOnSidesAndOutsideAreFound) {
   EXPECT_FALSE(out.inside);
   const auto& near = sheet.triangles[out.triangle];
   EXPECT_EQ(std::ranges::count_if(near, [&](std::uint32_t v) { return sheet.points[v].x == 1.0; }), 2);
-  EXPECT_LT(*std::ranges::min_element(out.at), 0.0);
+  EXPECT_NEAR(out.beyond.x, 0.5, 1e-15);
+  EXPECT_NEAR(out.beyond.y, 0.0, 1e-15);
+  const Jet jet = plane_pieces(chart)->jet({1.5, 0.5});
+  EXPECT_NEAR(jet.at.x, 1.5, 1e-12);
+  EXPECT_NEAR(jet.at.y, 0.5, 1e-12);
 }
 
 TEST(Recovered, TRI_f_AQuadraticIsExactInValueAndDerivatives) {
