@@ -278,8 +278,7 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   DOBRA_TRY(Charted charted, chart_mesh(mesh, {.weights = options.weights}));
   if (!charted.parametrisation.flipped.empty()) {
     const Finding& flipped = charted.findings.back();
-    return Error{ErrorCode::CannotMesh, flipped.message + "; the mesh folds or is stretched too much to be laid flat",
-                 flipped.place};
+    return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
   }
   const double size = options.size > 0.0 ? options.size : mean_side(charted.before);
   return Remesher(std::move(charted), options, size).run(progress);

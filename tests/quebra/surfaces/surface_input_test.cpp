@@ -204,6 +204,24 @@ TEST(SurfaceInput, BadInputIsNamedWithItsLine) {
               testing::AllOf(HasSubstr("surface 's'"), HasSubstr("0.1")));
 }
 
+TEST(SurfaceInput, APatchBetweenThreeCurvesIsMadeAndOneWithAGapRefused) {
+  const auto text = [](const std::string& last) {
+    const std::string border = "[[input.space_curve]]\nkind = \"line\"\nname = ";
+    return border + "\"a\"\npoints = [[0, 0, 0], [4, 0, 0]]\n" + border + "\"b\"\npoints = [[0, 3, 0], [4, 0, 0]]\n" +
+           border + "\"c\"\npoints = [[0, 3, 0], " + last +
+           "]\n[[input.surface]]\nname = \"s\"\nkind = \"triangular\"\ncurves = [\"a\", \"b\", \"c\"]\n";
+  };
+  EXPECT_THAT(refusal(text("[0, 0, 0.25]")), testing::AllOf(HasSubstr("surface 's'"), HasSubstr("0.25")));
+  const auto made = surfaces_of(text("[0, 0, 0]"));
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->faces.size(), 1U);
+  EXPECT_NEAR(surf::trim::area(made->faces[0]).value, 6.0, 1e-9);
+  const auto meshed = mesh_surfaces(*made, {.sizes = {.largest = 0.5}});
+  ASSERT_TRUE(meshed.ok()) << to_string(meshed.error());
+  EXPECT_NEAR(meshed->quality.area, 6.0, 1e-9);
+  EXPECT_GT(meshed->quality.alpha_mean, 0.95);
+}
+
 TEST(SurfaceInput, TrimsThatLeaveTheChartOrStayOpenAreNamedWithTheirPlace) {
   EXPECT_THAT(refusal(plate + trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [9, 5]\nradius = 2\n")),
               testing::AllOf(HasSubstr("trim 't'"), HasSubstr("leaves the chart"), HasSubstr("(u, v = ")));
