@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "quebra/surfaces/mesh_surfaces.h"
 #include "shared/surf/trim/area.h"
 #include "tests/support/surface_scenarios.h"
 
@@ -216,8 +217,8 @@ TEST(SurfaceInput, APatchBetweenThreeCurvesIsMadeAndOneWithAGapRefused) {
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   ASSERT_EQ(made->faces.size(), 1U);
   EXPECT_NEAR(surf::trim::area(made->faces[0]).value, 6.0, 1e-9);
-  const auto meshed = mesh_surfaces(*made, {.sizes = {.largest = 0.5}});
-  ASSERT_TRUE(meshed.ok()) << to_string(meshed.error());
+  const auto meshed = mesh_surfaces({.faces = made->faces, .chart_units = {{1.0, 1.0}}}, {.sizes = {.largest = 0.5}});
+  ASSERT_TRUE(meshed.ok()) << base::to_string(meshed.error());
   EXPECT_NEAR(meshed->quality.area, 6.0, 1e-9);
   EXPECT_GT(meshed->quality.alpha_mean, 0.95);
 }
