@@ -171,6 +171,41 @@ class Cutter {
 
 }  // namespace
 
+double loop_length(const Sheet& sheet, const std::vector<std::uint32_t>& loop) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sum += geom::distance(sheet.points[loop[i]], sheet.points[loop[(i + 1) % loop.size()]]);
+  return sum;
+}
+
+std::size_t longest_loop(const Sheet& sheet) {
+  std::size_t best = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < sheet.loops.size(); ++i) {
+    const double length = loop_length(sheet, sheet.loops[i]);
+    if (length > most) most = length, best = i;
+  }
+  return best;
+}
+
+Sheet filled(const Sheet& sheet) {
+  std::vector<Point3> points = sheet.points;
+  std::vector<std::array<std::uint32_t, 3>> triangles = sheet.triangles;
+  const std::size_t open = longest_loop(sheet);
+  for (std::size_t i = 0; i < sheet.loops.size(); ++i) {
+    if (i == open) continue;
+    const auto& loop = sheet.loops[i];
+    const auto middle = static_cast<std::uint32_t>(points.size());
+    geom::Vector3 sum;
+    for (const std::uint32_t v : loop) sum = sum + (sheet.points[v] - sheet.points[loop[0]]);
+    points.push_back(sheet.points[loop[0]] + sum / static_cast<double>(loop.size()));
+    for (std::size_t k = 0; k < loop.size(); ++k) triangles.push_back({loop[(k + 1) % loop.size()], loop[k], middle});
+  }
+  auto made = connect(std::move(points), std::move(triangles));
+  DOBRA_CHECK(made.ok());  // each loop passes a vertex once
+  return std::move(*made);
+}
+
 Opened open(const Sheet& sheet) { return Cutter(sheet).run(); }
 
 }  // namespace dobra::surf::param

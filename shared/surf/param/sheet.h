@@ -87,4 +87,12 @@ struct Opened {
 /// @cost O(n log n)
 Opened open(const Sheet& sheet);
 
+/// All loops but the longest closed by a fan of triangles round their middle: points and triangles behind those of the
+/// sheet. A sheet without handles becomes a disk. @pre there is a loop  @cost O(n)
+Sheet filled(const Sheet& sheet);
+
+/// The number of the longest loop of the border. @pre there is one
+std::size_t longest_loop(const Sheet& sheet);
+double loop_length(const Sheet& sheet, const std::vector<std::uint32_t>& loop);
+
 }  // namespace dobra::surf::param

@@ -44,7 +44,9 @@ class Builder {
   Network run() {
     made_.chart.sets = {{"", dobra::mesh::delaunay::EdgeKind::Boundary},
                         {"crease", dobra::mesh::delaunay::EdgeKind::Constraint}};
-    for (const Chain& chain : border_chains()) add(chain, 0);
+    for (const auto& vertices : sheet_.loops) {
+      for (const Chain& chain : border_chains(vertices)) add(chain, 0);
+    }
     for (const Chain& chain : crease_chains()) {
       add(chain, 1);
       ++made_.creases;
@@ -79,32 +81,35 @@ class Builder {
     }
   }
 
-  /// The border as half-edges in their order.
-  [[nodiscard]] std::vector<HalfEdge> border() const {
+  /// A loop of the border as half-edges in their order.
+  [[nodiscard]] std::vector<HalfEdge> border(const std::vector<std::uint32_t>& vertices) const {
     std::vector<HalfEdge> out(sheet_.points.size(), no_half_edge), loop;
     for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
       if (sheet_.twins[h] == no_half_edge) out[sheet_.start(h)] = h;
     }
-    for (const std::uint32_t v : sheet_.loops[0]) loop.push_back(out[v]);
+    for (const std::uint32_t v : vertices) loop.push_back(out[v]);
     return loop;
   }
 
   void find_stays() {
-    const std::vector<HalfEdge> loop = border();
     std::vector<std::uint32_t> cuts(stays_.size(), 0);  // sides of a cut at each vertex, each seen from both sides
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const HalfEdge before = loop[(i + loop.size() - 1) % loop.size()], after = loop[i];
-      const bool cut_before = opened_.across[before] != no_half_edge, cut_after = opened_.across[after] != no_half_edge;
-      const std::uint32_t v = origin(sheet_.start(after));
-      if (cut_before != cut_after || (!cut_before && turns(before, after))) stays_[v] = true;
-      if (cut_after) ++cuts[v], ++cuts[origin(sheet_.end(after))];
+    std::vector<bool> on_border(sheet_.points.size(), false);
+    for (const auto& vertices : sheet_.loops) {
+      const std::vector<HalfEdge> loop = border(vertices);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const HalfEdge before = loop[(i + loop.size() - 1) % loop.size()], after = loop[i];
+        const bool cut_before = opened_.across[before] != no_half_edge,
+                   cut_after = opened_.across[after] != no_half_edge;
+        const std::uint32_t v = origin(sheet_.start(after));
+        on_border[sheet_.start(after)] = true;
+        if (cut_before != cut_after || (!cut_before && turns(before, after))) stays_[v] = true;
+        if (cut_after) ++cuts[v], ++cuts[origin(sheet_.end(after))];
+      }
     }
     for (std::size_t v = 0; v < cuts.size(); ++v) {
       if (cuts[v] != 0 && cuts[v] != 4) stays_[v] = true;
     }
     std::vector<std::uint32_t> folds(sheet_.points.size(), 0);
-    std::vector<bool> on_border(sheet_.points.size(), false);
-    for (const HalfEdge h : loop) on_border[sheet_.start(h)] = true;
     for (HalfEdge h = 0; h < folded_.size(); ++h) {
       if (folded_[h]) ++folds[sheet_.start(h)];
     }
@@ -123,9 +128,9 @@ class Builder {
     }
   }
 
-  /// The border between vertices that stay; of one without any, two pieces.
-  std::vector<Chain> border_chains() {
-    std::vector<HalfEdge> loop = border();
+  /// A loop between vertices that stay; of one without any, two pieces.
+  std::vector<Chain> border_chains(const std::vector<std::uint32_t>& vertices) {
+    std::vector<HalfEdge> loop = border(vertices);
     const auto begins = [&](std::size_t i) { return stays_[origin(sheet_.start(loop[i]))]; };
     std::size_t first = 0;
     while (first < loop.size() && !begins(first)) ++first;

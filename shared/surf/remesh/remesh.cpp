@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -89,19 +90,32 @@ class Remesher {
 
   Result<Remeshed> run(const base::Progress& progress) {
     DOBRA_TRY(const Surface pieces, param::plane_pieces(chart_));
-    DOBRA_TRY(const Surface smooth, param::Recovered(chart_, {.meets = param::Meets::Points}).surface());
+    DOBRA_TRY(Surface guide, guide_of(0));
     Remeshed made;
     double crease = options_.crease;
+    std::size_t level = 0;
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
-      auto mesh = fill(smooth, pieces, crease, made, progress.part(from, from + 1.0 / (options_.rounds + 1)));
-      if (!mesh && crease < 180.0 && made.creases > 0 && mesh.error().code != ErrorCode::Cancelled) {
+      const base::Progress part = progress.part(from, from + 1.0 / (options_.rounds + 1));
+      auto mesh = fill(guide, pieces, crease, made, part);
+      if (!mesh && made.creases > 0 && mesh.error().code != ErrorCode::Cancelled) {
         made.findings.push_back(
             {"crease_left_out",
              fmt::format("{} lines at which the mesh folds are not kept: {}", made.creases, mesh.error().message),
              mesh.error().place.value_or(base::Place{})});
         crease = 180.0;
-        mesh = fill(smooth, pieces, crease, made, progress.part(from, from + 1.0 / (options_.rounds + 1)));
+        mesh = fill(guide, pieces, crease, made, part);
+      }
+      while (!mesh && mesh.error().code == ErrorCode::CannotMesh && level + 1 < smoothings.size()) {
+        ++level;
+        if (level == 1) {
+          made.findings.push_back({"rough",
+                                   "the mesh is too rough for its own shape to guide the new one: a smoothed copy "
+                                   "does; all nodes lie on the mesh itself",
+                                   in_space(mesh.error()).place.value_or(base::Place{})});
+        }
+        DOBRA_TRY(guide, guide_of(smoothings[level]));
+        mesh = fill(guide, pieces, crease, made, part);
       }
       if (!mesh) return in_space(mesh.error());
       made.mesh = std::move(*mesh);
@@ -128,6 +142,33 @@ class Remesher {
   }
 
  private:
+  /// How often the copy of the mesh that guides the mesher is smoothed, if it must be.
+  static constexpr std::array<int, 3> smoothings{0, 20, 200};
+
+  /// The smooth surface of the mesh, whose vertices inside were moved so often to the mean of their neighbours.
+  [[nodiscard]] Result<Surface> guide_of(int times) const {
+    auto chart = chart_;
+    if (times > 0) {
+      Sheet sheet = charted_.opened.sheet;
+      const auto first = sheet.first_half_edges();
+      std::vector<std::vector<param::Neighbour>> rings(sheet.points.size());
+      for (std::size_t v = 0; v < rings.size(); ++v) {
+        if (sheet.twins[first[v]] != param::no_half_edge)
+          rings[v] = param::ring_weights(sheet, first[v], param::Weights::MeanValue);
+      }
+      for (int i = 0; i < times; ++i) {
+        const std::vector<Point3> before = sheet.points;
+        for (std::size_t v = 0; v < rings.size(); ++v) {
+          geom::Vector3 step;
+          for (const param::Neighbour& n : rings[v]) step = step + n.weight * (before[n.vertex] - before[v]);
+          sheet.points[v] = before[v] + 0.5 * step;
+        }
+      }
+      chart = std::make_shared<const param::DiscreteChart>(std::move(sheet), charted_.parametrisation.uv);
+    }
+    return param::Recovered(std::move(chart), {.meets = param::Meets::Border}).surface();
+  }
+
   /// The place in the chart is one in space for the user.
   Error in_space(Error error) const {
     if (!error.place || !error.place->u || !error.place->v) return error;
@@ -162,6 +203,7 @@ class Remesher {
     options.sizes.least = options_.least * size_;
     options.sizes.wanted = [this](Point uv, Point3) { return wanted(uv); };
     options.points.max_triangles = options_.most_triangles;
+    options.attempts = 1;
     DOBRA_TRY(mesh::FaceMesh face, mesh::mesh_chart(input, options, progress));
     // Nodes inside were placed on the smooth surface; they belong on the mesh that was given.
     std::vector<Jet> jets(face.chart.points.size());
@@ -240,12 +282,9 @@ void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
   tell(mended.turned, "{} triangles were turned the way of the first");
 }
 
-}  // namespace
+bool keeps_holes(const Sheet& sheet) { return sheet.loops.size() > 1 && sheet.genus() == 0; }
 
-Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options) {
-  DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
-  Charted charted{std::move(made.sheet), {}, {}, {}};
-  tell_mended(made.mended, charted.findings);
+Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& options) {
   charted.opened = param::open(charted.before);
   if (charted.opened.sides > 0) {
     charted.findings.push_back(
@@ -259,6 +298,63 @@ Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::Pa
                  place_of(charted.before.points[0])};
   }
   DOBRA_TRY(charted.parametrisation, param::parametrise(charted.opened.sheet, options));
+  return {};
+}
+
+/// Holes are filled, so that there is a disk, and the filling is forgotten.
+Result<void> lay_flat_with_holes(Charted& charted, const param::ParametriseOptions& options) {
+  const Sheet whole = param::filled(charted.before);
+  DOBRA_TRY(charted.parametrisation, param::parametrise(whole, options));
+  charted.opened.sheet = charted.before;
+  charted.opened.origin.resize(charted.before.points.size());
+  std::iota(charted.opened.origin.begin(), charted.opened.origin.end(), 0U);
+  charted.opened.across.assign(charted.before.twins.size(), param::no_half_edge);
+  charted.parametrisation.uv.resize(charted.before.points.size());
+  std::erase_if(charted.parametrisation.flipped, [&](std::uint32_t t) { return t >= charted.before.triangles.size(); });
+  charted.findings.push_back(
+      {"holes",
+       fmt::format("{} borders stay holes in the chart, so the mesh was not cut open", charted.before.loops.size() - 1),
+       {}});
+  return {};
+}
+
+/// Many holes, each small: a cut through all of them would stretch the chart.
+bool has_many_holes(const Sheet& sheet) {
+  constexpr std::size_t many = 4;
+  constexpr double small = 0.5;  // of the longest border
+  if (!keeps_holes(sheet) || sheet.loops.size() <= many) return false;
+  const std::size_t longest = param::longest_loop(sheet);
+  const double most = small * param::loop_length(sheet, sheet.loops[longest]);
+  for (std::size_t i = 0; i < sheet.loops.size(); ++i) {
+    if (i != longest && param::loop_length(sheet, sheet.loops[i]) > most) return false;
+  }
+  return true;
+}
+
+/// One way of laying the mesh flat, and what comes of it.
+Result<Remeshed> remesh_as(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options, Holes holes,
+                           const base::Progress& progress) {
+  DOBRA_TRY(Charted charted, chart_mesh(mesh, {.weights = options.weights}, holes));
+  if (!charted.parametrisation.flipped.empty()) {
+    const Finding& flipped = charted.findings.back();
+    return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
+  }
+  const double size = options.size > 0.0 ? options.size : mean_side(charted.before);
+  return Remesher(std::move(charted), options, size).run(progress);
+}
+
+}  // namespace
+
+Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options,
+                           Holes holes) {
+  DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
+  Charted charted{std::move(made.sheet), {}, {}, {}};
+  tell_mended(made.mended, charted.findings);
+  if (holes == Holes::Stay && keeps_holes(charted.before)) {
+    DOBRA_TRY_VOID(lay_flat_with_holes(charted, options));
+  } else {
+    DOBRA_TRY_VOID(lay_flat_cut(charted, options));
+  }
   const param::Parametrisation& chart = charted.parametrisation;
   if (!chart.why_circle.empty())
     charted.findings.push_back({"circle", fmt::format("the border lies on a circle: {}", chart.why_circle), {}});
@@ -275,13 +371,12 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   const auto wrong = [](const char* text) { return Error{ErrorCode::InvalidOption, text}; };
   if (!(options.size >= 0.0) || !std::isfinite(options.size)) return wrong("size must be a positive length, or 0");
   if (!(options.chord >= 0.0) || !std::isfinite(options.chord)) return wrong("chord must be a positive length, or 0");
-  DOBRA_TRY(Charted charted, chart_mesh(mesh, {.weights = options.weights}));
-  if (!charted.parametrisation.flipped.empty()) {
-    const Finding& flipped = charted.findings.back();
-    return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
-  }
-  const double size = options.size > 0.0 ? options.size : mean_side(charted.before);
-  return Remesher(std::move(charted), options, size).run(progress);
+  DOBRA_TRY(const param::SheetMade made, param::sheet_of(mesh));
+  const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
+  auto done = remesh_as(mesh, options, first, progress);
+  if (done || !keeps_holes(made.sheet) || done.error().code != ErrorCode::CannotMesh) return done;
+  auto other = remesh_as(mesh, options, first == Holes::Cut ? Holes::Stay : Holes::Cut, progress);
+  return other ? std::move(other) : std::move(done);
 }
 
 double deviation(const Sheet& a, const Sheet& b) {

@@ -32,11 +32,18 @@ struct Charted {
   param::Sheet before;   ///< As it was given, mended.
   param::Opened opened;  ///< And cut.
   param::Parametrisation parametrisation;
-  std::vector<mesh::Finding> findings;  ///< "mended", "cut", "circle", "flipped".
+  std::vector<mesh::Finding> findings;  ///< "mended", "cut" or "holes", "circle", "flipped".
+};
+
+/// What is done with a sheet of several borders and no handle.
+enum class Holes : std::uint8_t {
+  Cut,   ///< Opened along shortest ways from border to border; so is every other sheet that is no disk.
+  Stay,  ///< All but the longest border stay holes in the chart: they are filled while it is laid flat.
 };
 
 /// @error those of sheet_of and parametrise
-base::Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options = {});
+base::Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options = {},
+                                 Holes holes = Holes::Cut);
 
 struct Remeshed {
   mesh::SurfaceMesh mesh;  ///< One face; places in the chart of the opened sheet.
@@ -46,10 +53,11 @@ struct Remeshed {
   std::size_t flipped = 0;  ///< Triangles turned over in the chart, exactly.
   std::size_t creases = 0;  ///< Lines kept.
   int rounds = 0;
-  /// Those of Charted, and "crease_left_out", "deviation_above".
+  /// Those of Charted, and "rough", "crease_left_out", "deviation_above".
   std::vector<mesh::Finding> findings;
 };
 
+/// A sheet of many small holes keeps them in its chart, and so does one whose cut cannot be meshed; others are cut.
 /// @error those of chart_mesh; InvalidOption: sizes; CannotMesh with the place: a chart with flipped triangles; those
 /// of mesh_chart
 base::Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options = {},
