@@ -206,6 +206,29 @@ Sheet filled(const Sheet& sheet) {
   return std::move(*made);
 }
 
+Sheet quartered(const Sheet& sheet) {
+  std::vector<Point3> points = sheet.points;
+  std::vector<std::uint32_t> middle(sheet.twins.size());
+  for (HalfEdge h = 0; h < middle.size(); ++h) {
+    const HalfEdge twin = sheet.twins[h];
+    if (twin < h) {
+      middle[h] = middle[twin];
+      continue;
+    }
+    middle[h] = static_cast<std::uint32_t>(points.size());
+    points.push_back(geom::midpoint(sheet.points[sheet.start(h)], sheet.points[sheet.end(h)]));
+  }
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t t = 0; t < sheet.triangles.size(); ++t) {
+    const auto& [a, b, c] = sheet.triangles[t];
+    const std::uint32_t ab = middle[3 * t], bc = middle[3 * t + 1], ca = middle[3 * t + 2];
+    triangles.insert(triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  auto made = connect(std::move(points), std::move(triangles));
+  DOBRA_CHECK(made.ok());  // of a manifold
+  return std::move(*made);
+}
+
 Opened open(const Sheet& sheet) { return Cutter(sheet).run(); }
 
 }  // namespace dobra::surf::param

@@ -91,6 +91,9 @@ Opened open(const Sheet& sheet);
 /// sheet. A sheet without handles becomes a disk. @pre there is a loop  @cost O(n)
 Sheet filled(const Sheet& sheet);
 
+/// Each triangle in four, by the middles of its sides; old points keep their numbers. @cost O(n)
+Sheet quartered(const Sheet& sheet);
+
 /// The number of the longest loop of the border. @pre there is one
 std::size_t longest_loop(const Sheet& sheet);
 double loop_length(const Sheet& sheet, const std::vector<std::uint32_t>& loop);

@@ -93,30 +93,13 @@ class Remesher {
     DOBRA_TRY(Surface guide, guide_of(0));
     Remeshed made;
     double crease = options_.crease;
-    std::size_t level = 0;
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
       const base::Progress part = progress.part(from, from + 1.0 / (options_.rounds + 1));
       auto mesh = fill(guide, pieces, crease, made, part);
-      if (!mesh && made.creases > 0 && mesh.error().code != ErrorCode::Cancelled) {
-        made.findings.push_back(
-            {"crease_left_out",
-             fmt::format("{} lines at which the mesh folds are not kept: {}", made.creases, mesh.error().message),
-             mesh.error().place.value_or(base::Place{})});
-        crease = 180.0;
+      while (!mesh && mesh.error().code != ErrorCode::Cancelled &&
+             change_guide(guide, pieces, crease, made, mesh.error()))
         mesh = fill(guide, pieces, crease, made, part);
-      }
-      while (!mesh && mesh.error().code == ErrorCode::CannotMesh && level + 1 < smoothings.size()) {
-        ++level;
-        if (level == 1) {
-          made.findings.push_back({"rough",
-                                   "the mesh is too rough for its own shape to guide the new one: a smoothed copy "
-                                   "does; all nodes lie on the mesh itself",
-                                   in_space(mesh.error()).place.value_or(base::Place{})});
-        }
-        DOBRA_TRY(guide, guide_of(smoothings[level]));
-        mesh = fill(guide, pieces, crease, made, part);
-      }
       if (!mesh) return in_space(mesh.error());
       made.mesh = std::move(*mesh);
       made.rounds = round + 1;
@@ -135,6 +118,14 @@ class Remesher {
       }
     }
     made.quality = mesh::quality_of(made.mesh);
+    constexpr double much = 0.5;
+    if (!(options_.chord > 0.0) && made.deviation > much * size_) {
+      made.findings.push_back({"deviation_above",
+                               fmt::format("the new mesh is {:.3g} m off, which is much for sides of {:.3g} m: give a "
+                                           "chord, or a smaller size",
+                                           made.deviation, size_),
+                               {}});
+    }
     for (const auto& places : made.mesh.places)
       made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
     made.findings.insert(made.findings.begin(), charted_.findings.begin(), charted_.findings.end());
@@ -142,8 +133,39 @@ class Remesher {
   }
 
  private:
+  /// What the mesher is guided by instead, where it failed: first the plane pieces, which fold where the mesh does;
+  /// then smoothed copies, without creases. Tells it. @return false where nothing is left
+  bool change_guide(Surface& guide, const Surface& pieces, double& crease, Remeshed& made, const Error& why) {
+    const base::Place place = in_space(why).place.value_or(base::Place{});
+    if (guide_ == 0 && made.creases > 0) {
+      guide = pieces;
+      ++guide_;
+      return true;
+    }
+    guide_ = std::max(guide_, std::size_t{1});
+    if (made.creases > 0 && crease < 180.0) {
+      made.findings.push_back(
+          {"crease_left_out",
+           fmt::format("{} lines at which the mesh folds are not kept: {}", made.creases, why.message), place});
+    }
+    crease = 180.0;
+    if (guide_ > smoothings.size()) return false;
+    if (guide_ == 1) {
+      made.findings.push_back(
+          {"rough",
+           "the mesh is too rough for its own shape to guide the new one: a smoothed copy does; all "
+           "nodes lie on the mesh itself",
+           place});
+    }
+    auto smoothed = guide_of(smoothings[guide_ - 1]);
+    ++guide_;
+    if (!smoothed) return false;
+    guide = std::move(*smoothed);
+    return true;
+  }
+
   /// How often the copy of the mesh that guides the mesher is smoothed, if it must be.
-  static constexpr std::array<int, 3> smoothings{0, 20, 200};
+  static constexpr std::array<int, 2> smoothings{20, 200};
 
   /// The smooth surface of the mesh, whose vertices inside were moved so often to the mean of their neighbours.
   [[nodiscard]] Result<Surface> guide_of(int times) const {
@@ -269,6 +291,7 @@ class Remesher {
   std::shared_ptr<const param::DiscreteChart> chart_;
   std::vector<double> sizes_;  ///< One a point of the sheet before the cut, m.
   const TriangleTree tree_;
+  std::size_t guide_ = 0;  ///< How many guides were given up.
 };
 
 void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
@@ -331,24 +354,8 @@ bool has_many_holes(const Sheet& sheet) {
   return true;
 }
 
-/// One way of laying the mesh flat, and what comes of it.
-Result<Remeshed> remesh_as(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options, Holes holes,
-                           const base::Progress& progress) {
-  DOBRA_TRY(Charted charted, chart_mesh(mesh, {.weights = options.weights}, holes));
-  if (!charted.parametrisation.flipped.empty()) {
-    const Finding& flipped = charted.findings.back();
-    return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
-  }
-  const double size = options.size > 0.0 ? options.size : mean_side(charted.before);
-  return Remesher(std::move(charted), options, size).run(progress);
-}
-
-}  // namespace
-
-Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options,
-                           Holes holes) {
-  DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
-  Charted charted{std::move(made.sheet), {}, {}, {}};
+Result<Charted> chart_sheet(const param::SheetMade& made, const param::ParametriseOptions& options, Holes holes) {
+  Charted charted{made.sheet, {}, {}, {}};
   tell_mended(made.mended, charted.findings);
   if (holes == Holes::Stay && keeps_holes(charted.before)) {
     DOBRA_TRY_VOID(lay_flat_with_holes(charted, options));
@@ -366,16 +373,38 @@ Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::Pa
   return charted;
 }
 
+/// One way of laying the mesh flat, and what comes of it.
+Result<Remeshed> remesh_as(const param::SheetMade& sheet, const RemeshOptions& options, double size, Holes holes,
+                           const base::Progress& progress) {
+  DOBRA_TRY(Charted charted, chart_sheet(sheet, {.weights = options.weights}, holes));
+  if (!charted.parametrisation.flipped.empty()) {
+    const Finding& flipped = charted.findings.back();
+    return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
+  }
+  return Remesher(std::move(charted), options, size).run(progress);
+}
+
+}  // namespace
+
+Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options,
+                           Holes holes) {
+  DOBRA_TRY(const param::SheetMade made, param::sheet_of(mesh));
+  return chart_sheet(made, options, holes);
+}
+
 Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
                         const base::Progress& progress) {
   const auto wrong = [](const char* text) { return Error{ErrorCode::InvalidOption, text}; };
   if (!(options.size >= 0.0) || !std::isfinite(options.size)) return wrong("size must be a positive length, or 0");
   if (!(options.chord >= 0.0) || !std::isfinite(options.chord)) return wrong("chord must be a positive length, or 0");
-  DOBRA_TRY(const param::SheetMade made, param::sheet_of(mesh));
+  DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
+  const double size = options.size > 0.0 ? options.size : mean_side(made.sheet);
+  while (mean_side(made.sheet) > size && made.sheet.triangles.size() < options.enough)
+    made.sheet = param::quartered(made.sheet);
   const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
-  auto done = remesh_as(mesh, options, first, progress);
+  auto done = remesh_as(made, options, size, first, progress);
   if (done || !keeps_holes(made.sheet) || done.error().code != ErrorCode::CannotMesh) return done;
-  auto other = remesh_as(mesh, options, first == Holes::Cut ? Holes::Stay : Holes::Cut, progress);
+  auto other = remesh_as(made, options, size, first == Holes::Cut ? Holes::Stay : Holes::Cut, progress);
   return other ? std::move(other) : std::move(done);
 }
 

@@ -21,8 +21,9 @@ struct RemeshOptions {
   double growth = 1.2;   ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double corner = 40.0;  ///< Degrees: vertices at which the border turns by more stay.
   double crease = 40.0;  ///< Degrees: sides at which the sheet folds by more stay lines; 180: none.
-  int rounds = 6;        ///< So often it is meshed anew with smaller sizes where the chord asks for it.
-  double least = 0.02;   ///< No size below this part of `size`.
+  std::size_t enough = 20'000;  ///< A mesh of fewer triangles whose sides are longer than `size` is quartered first.
+  int rounds = 6;               ///< So often it is meshed anew with smaller sizes where the chord asks for it.
+  double least = 0.02;          ///< No size below this part of `size`.
   std::size_t most_triangles = 20'000'000;
   param::Weights weights = param::Weights::ShapePreserving;
 };
