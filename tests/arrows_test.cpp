@@ -21,6 +21,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
   static const std::map<std::string, std::set<std::string>> table = {
       {"shared/base", {}},
       {"shared/geom", {"shared/base"}},
+      {"shared/geom/fit", {"shared/geom"}},
       {"shared/surf", {"shared/geom"}},
       {"shared/topo", {"shared/geom"}},
       {"shared/offset/types", {"shared/geom"}},
@@ -41,8 +42,10 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/surf/trim", {"shared/surf", "shared/topo"}},
       {"shared/surf/mesh", {"shared/surf/trim", "shared/mesh/front"}},
       {"shared/surf/paper", {"shared/surf/mesh"}},
+      {"shared/surf/param", {"shared/surf", "shared/mesh", "shared/geom/fit"}},
+      {"shared/surf/remesh", {"shared/surf/param", "shared/surf/mesh"}},
       {"shared/fem", {"shared/mesh"}},
-      {"shared/fem/error", {"shared/fem"}},
+      {"shared/fem/error", {"shared/fem", "shared/geom/fit"}},
       {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
       {"shared/scene/space", {"shared/scene"}},
@@ -108,7 +111,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"recon/cli", {"recon/core", "shared/cli"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
       {"recon", {"recon/core", "recon/cli", "recon/gui", "shared/cli"}},
-      {"quebra/cli", {"quebra/validation", "shared/cli", "shared/solid"}},
+      {"quebra/cli", {"quebra/validation", "shared/cli", "shared/solid", "shared/surf/remesh"}},
       {"quebra", {"quebra/core", "quebra/cli", "quebra/gui", "shared/cli"}},
   };
   return table;

@@ -5555,8 +5555,8 @@
         <translation>Da região de seus elementos; os recortes o citam.</translation>
     </message>
     <message>
-        <source>ruled, extruded, revolved, coons: of space curves; graph: height by a formula; nurbs: control points with knots; through: smooth through a grid of points.</source>
-        <translation>regrada, extrudada, de revolução, coons: de curvas no espaço; gráfico: altura por uma fórmula; nurbs: pontos de controle com nós; por pontos: suave por uma grade de pontos.</translation>
+        <source>ruled, extruded, revolved, coons, triangular: of space curves; graph: height by a formula; nurbs: control points with knots; through: smooth through a grid of points.</source>
+        <translation>regrada, extrudada, de revolução, coons, triangular: de curvas no espaço; gráfico: altura por uma fórmula; nurbs: pontos de controle com nós; por pontos: suave por uma grade de pontos.</translation>
     </message>
     <message>
         <source>Use</source>
@@ -5567,8 +5567,8 @@
         <translation>ferramenta: não recebe malha e só corta outras.</translation>
     </message>
     <message>
-        <source>Names of space curves. ruled: v = 0 and v = 1; extruded, revolved: the profile; coons: bottom, top (both along u), left and right (both along v).</source>
-        <translation>Nomes de curvas no espaço. regrada: v = 0 e v = 1; extrudada, de revolução: o perfil; coons: inferior, superior (ambas ao longo de u), esquerda e direita (ambas ao longo de v).</translation>
+        <source>Names of space curves. ruled: v = 0 and v = 1; extruded, revolved: the profile; coons: bottom, top (both along u), left and right (both along v); triangular: three round it, each either way.</source>
+        <translation>Nomes de curvas no espaço. regrada: v = 0 e v = 1; extrudada, de revolução: o perfil; coons: inferior, superior (ambas ao longo de u), esquerda e direita (ambas ao longo de v); triangular: três em volta dela, cada uma em qualquer sentido.</translation>
     </message>
     <message>
         <source>Origin (x, y, z)</source>
@@ -5701,6 +5701,10 @@
     <message>
         <source>coons</source>
         <translation>coons</translation>
+    </message>
+    <message>
+        <source>triangular</source>
+        <translation>triangular</translation>
     </message>
     <message>
         <source>sphere</source>

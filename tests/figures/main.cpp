@@ -73,9 +73,9 @@ int failures(const std::string& name, const base::Result<void>& written) {
 int write_all(const Folder& folder, const std::string& ending, const std::string& beginning) {
   int failed = 0;
   const auto asked = [&](const std::string& name) { return name.starts_with(beginning); };
-  for (const auto& family :
-       {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(), mesh_figures(),
-        quality_figures(), surf_figures(), trim_figures(), paper_figures(), import_figures(), free_border_figures()}) {
+  for (const auto& family : {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(),
+                             mesh_figures(), quality_figures(), surf_figures(), trim_figures(), paper_figures(),
+                             import_figures(), free_border_figures(), param_figures()}) {
     for (const Figure& figure : family) {
       if (asked(figure.name)) failed += failures(figure.name, write_figure(figure, folder, ending));
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "quebra/surfaces/mesh_surfaces.h"
 #include "shared/surf/trim/area.h"
 #include "tests/support/surface_scenarios.h"
 
@@ -202,6 +203,24 @@ TEST(SurfaceInput, BadInputIsNamedWithItsLine) {
                       "\"d\"\npoints = [[1, 0, 0], [1, 1, 0.1]]\n"
                       "[[input.surface]]\nname = \"s\"\nkind = \"coons\"\ncurves = [\"a\", \"b\", \"c\", \"d\"]\n"),
               testing::AllOf(HasSubstr("surface 's'"), HasSubstr("0.1")));
+}
+
+TEST(SurfaceInput, APatchBetweenThreeCurvesIsMadeAndOneWithAGapRefused) {
+  const auto text = [](const std::string& last) {
+    const std::string border = "[[input.space_curve]]\nkind = \"line\"\nname = ";
+    return border + "\"a\"\npoints = [[0, 0, 0], [4, 0, 0]]\n" + border + "\"b\"\npoints = [[0, 3, 0], [4, 0, 0]]\n" +
+           border + "\"c\"\npoints = [[0, 3, 0], " + last +
+           "]\n[[input.surface]]\nname = \"s\"\nkind = \"triangular\"\ncurves = [\"a\", \"b\", \"c\"]\n";
+  };
+  EXPECT_THAT(refusal(text("[0, 0, 0.25]")), testing::AllOf(HasSubstr("surface 's'"), HasSubstr("0.25")));
+  const auto made = surfaces_of(text("[0, 0, 0]"));
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->faces.size(), 1U);
+  EXPECT_NEAR(surf::trim::area(made->faces[0]).value, 6.0, 1e-9);
+  const auto meshed = mesh_surfaces({.faces = made->faces, .chart_units = {{1.0, 1.0}}}, {.sizes = {.largest = 0.5}});
+  ASSERT_TRUE(meshed.ok()) << base::to_string(meshed.error());
+  EXPECT_NEAR(meshed->quality.area, 6.0, 1e-9);
+  EXPECT_GT(meshed->quality.alpha_mean, 0.95);
 }
 
 TEST(SurfaceInput, TrimsThatLeaveTheChartOrStayOpenAreNamedWithTheirPlace) {
