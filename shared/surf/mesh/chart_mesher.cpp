@@ -16,6 +16,7 @@
 #include "shared/surf/mesh/chart_space.h"
 #include "shared/surf/mesh/tidy.h"
 #include "shared/surf/mesh/tips.h"
+#include "shared/surf/trim/finding.h"
 
 namespace dobra::surf::mesh {
 
