@@ -118,8 +118,6 @@ class Wishes {
   const double largest_;
 };
 
-constexpr double finest = 0.01;  ///< Of the size elsewhere: no short piece and no narrow place asks for less.
-
 /// Samples a quarter of the largest size apart; between two of them more, while they are farther apart than their size.
 Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions& sizes, double largest) {
   constexpr double samples_a_side = 4.0;
@@ -164,9 +162,6 @@ Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions&
     after.pop_back();
     add(next.s, next.size);
   }
-  // A piece that is shorter than its size is one short side: those beside it grow from its length.
-  for (double& size : profile.size)
-    size = std::min(size, std::max({profile.travelled.back(), finest * size, sizes.least}));
   return profile;
 }
 
@@ -253,7 +248,7 @@ class Samples {
         distance = std::min(distance, from_chord(samples_[i].at, samples_[j].at, samples_[j + 1].at));
       });
       for (const std::size_t j : near) along[j] = std::numeric_limits<double>::infinity();
-      // Where borders touch or cross the distance is nought.
+      constexpr double finest = 0.01;  // of the size elsewhere: where borders touch or cross the distance is nought
       wanted[i] = std::max({std::min(free[i], distance / elements), finest * free[i], least});
     }
     for (std::size_t i = 0; i < count(); ++i) size(i) = wanted[i];
