@@ -52,7 +52,9 @@ class FaceImport {
       : model_(model), face_(face), shared_(shared), options_(options), report_(report) {}
 
   Outcome<surf::trim::TrimmedSurface> run() {
-    auto whole = whole_surface(*model_.surfaces[face_.surface], face_.placement);
+    if (!face_.surface)
+      return Refusal{"face_surface", "it has no surface, only triangles; save the model with its surfaces"};
+    auto whole = whole_surface(*model_.surfaces[*face_.surface], face_.placement);
     if (!whole) return surface_refusal(whole.error());
     whole_ = *std::move(whole);
     for (const auto& wire : face_.loops) {
