@@ -299,6 +299,9 @@ Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::Sur
   const bool outlines =
       std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn& d) { return d.role == TrimRole::Outline; });
   for (std::size_t f = 0; f < count; ++f) {
+    if (recognised.faces()[f].loops.empty())
+      return refused("what the lines of this surface bound cannot be told: draw them so that none passes its own end",
+                     surface_.chart().centre());
     const Point p = point_inside(recognised.faces()[f]);
     bool outlined = !outlines;
     for (const TrimRing& ring : rings_) {
