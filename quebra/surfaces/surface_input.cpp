@@ -74,17 +74,16 @@ void add_controls(const SurfaceInput& input, Surfaces& made) {
 const char* words_of(surf::GraphFlawKind kind) {
   switch (kind) {
     case surf::GraphFlawKind::Jump:
-      return "the `formula` jumps here: make two surfaces of it that end at the jump, or trim this part away";
+      return "the `formula` jumps here: make two surfaces of it whose ranges `u` and `v` end before the jump";
     case surf::GraphFlawKind::Pole:
-      return "the `formula` grows without bound here: end the surface before it, or trim this part away";
+      return "the `formula` grows without bound here: end the ranges `u` and `v` before it";
     case surf::GraphFlawKind::Steep:
-      return "the slope of the `formula` or its bend grows without bound here: end the surface before it, or trim this "
-             "part away";
+      return "the slope of the `formula` or its bend grows without bound here: end the ranges `u` and `v` before it";
     case surf::GraphFlawKind::NoValue:
-      return "the `formula` has no value here: end the surface before it, or trim this part away";
+      return "the `formula` has no value here: end the ranges `u` and `v` before it";
     case surf::GraphFlawKind::Kink:
-      return "the `formula` has a kink here that runs neither along x nor along y: no sides of the mesh lie along it; "
-             "make two surfaces of it that meet there";
+      return "the `formula` has a kink here that runs neither along x nor along y, which the mesh cannot follow: make "
+             "two surfaces of it that meet there, each of a formula without it";
   }
   return "";
 }
@@ -284,21 +283,26 @@ class SurfaceMaker {
     return face;
   }
 
-  /// Where a formula is not smooth inside what is left of the surface.
+  /// Where a formula is not smooth. Across a jump or a pole nothing is measured, trimmed away or not; kinks count where
+  /// the surface is left, and one alone is a point, as that of a cone.
   Result<void> look_at_formula(std::size_t s, const surf::trim::TrimmedSurface& face, Surfaces& made) const {
     DOBRA_TRY(const surf::GraphFlaws found, surf::graph_flaws(input_.surfaces[s].formula, face.surface.chart()));
     const std::vector<surf::trim::Ring> rings = surf::trim::rings_of(face);
-    std::set<surf::GraphFlawKind> told;
+    std::vector<Place> kinks;
     for (const surf::GraphFlaw& flaw : found.flaws) {
-      const std::vector<double> at = surf::trim::meets(rings, flaw.at.y);
-      if (std::count_if(at.begin(), at.end(), [&](double u) { return u < flaw.at.x; }) % 2 == 0) continue;
       const geom::Point3 p = face.surface.at(flaw.at);
       Place where{.x = p.x, .y = p.y, .u = flaw.at.x, .v = flaw.at.y};
       if (std::isfinite(p.z)) where.z = p.z;
       if (flaw.kind != surf::GraphFlawKind::Kink)
         return at_line({ErrorCode::OutsideDomain, words_of(flaw.kind), where}, "surface", s);
-      if (told.insert(flaw.kind).second) made.findings.push_back({"kink", words_of(flaw.kind), where});
+      const std::vector<double> at = surf::trim::meets(rings, flaw.at.y);
+      if (std::count_if(at.begin(), at.end(), [&](double u) { return u < flaw.at.x; }) % 2 == 1) kinks.push_back(where);
     }
+    if (kinks.size() > 1)
+      return at_line({ErrorCode::OutsideDomain, words_of(surf::GraphFlawKind::Kink), kinks[0]}, "surface", s);
+    if (!kinks.empty())
+      made.findings.push_back(
+          {"kink", "the `formula` has a point here, where the mesh has no node of its own", kinks[0]});
     return {};
   }
 

@@ -116,24 +116,38 @@ TEST(SurfaceInput, PartsMayBeNamedByPlacesOnSeamsAndInPoles) {
   EXPECT_THAT(refusal(cut("[0, 0, 1]", "[4.898979485566356, 0, 1]")), HasSubstr("lies on a line"));
 }
 
-TEST(SurfaceInput, FormulasThatJumpOrHaveNoBoundAreRefusedUnlessThatIsTrimmedAway) {
+TEST(SurfaceInput, FormulasThatJumpOrHaveNoBoundAreRefused) {
   const auto graph = [](const std::string& formula) {
     return "[[input.surface]]\nname = \"g\"\nkind = \"graph\"\nformula = \"" + formula +
            "\"\nu = [-1, 1]\nv = [-1, 1]\n";
   };
   EXPECT_THAT(refusal(graph("x > 0 ? 1 : 0")), HasSubstr("jumps here"));
   EXPECT_THAT(refusal(graph("x > 0 ? 1 : 0")), HasSubstr("surface 'g'"));
-  EXPECT_THAT(refusal(graph("1 / (x - 0.0137)")), HasSubstr("here: end the surface before it"));
+  EXPECT_THAT(refusal(graph("1 / (x - 0.0137)")), HasSubstr("here: end the ranges `u` and `v` before it"));
   EXPECT_THAT(refusal(graph("sqrt(1 - x * x)")), HasSubstr("grows without bound here"));
   EXPECT_THAT(refusal(graph("abs(x)^(1 / 3)")), HasSubstr("grows without bound here"));
-  EXPECT_TRUE(surfaces_of(graph("x > 0 ? 1 : 0") +
-                          trim("kind = \"circle\"\nrole = \"outline\"\ncentre = [0.5, 0]\nradius = 0.4\n"))
+  // The numbers of the surface cross it, though what is left does not.
+  EXPECT_THAT(refusal(graph("x > 0 ? 1 : 0") +
+                      trim("kind = \"circle\"\nrole = \"outline\"\ncentre = [0.5, 0]\nradius = 0.4\n")),
+              HasSubstr("jumps here"));
+}
+
+TEST(SurfaceInput, KinksAcrossTheChartAreRefusedWhereTheSurfaceIsLeft) {
+  const auto graph = [](const std::string& formula) {
+    return "[[input.surface]]\nname = \"g\"\nkind = \"graph\"\nformula = \"" + formula +
+           "\"\nu = [-1, 1]\nv = [-1, 1]\n";
+  };
+  EXPECT_THAT(refusal(graph("abs(x - y)")), HasSubstr("neither along x nor along y"));
+  EXPECT_TRUE(surfaces_of(graph("abs(x - y)") +
+                          trim("kind = \"circle\"\nrole = \"outline\"\ncentre = [0.5, -0.5]\nradius = 0.4\n"))
                   .ok());
-  const auto kinked = surfaces_of(graph("abs(x - y)"));
-  ASSERT_TRUE(kinked.ok());
-  ASSERT_EQ(kinked->findings.size(), 1U);
-  EXPECT_EQ(kinked->findings[0].code, "kink");
-  EXPECT_NEAR(*kinked->findings[0].place.x, *kinked->findings[0].place.y, 1e-6);
+  EXPECT_TRUE(surfaces_of(graph("abs(x)")).ok());
+  const auto cone = surfaces_of(graph("hypot(x - 0.1, y + 0.2)"));
+  ASSERT_TRUE(cone.ok());
+  ASSERT_EQ(cone->findings.size(), 1U);
+  EXPECT_EQ(cone->findings[0].code, "kink");
+  EXPECT_NEAR(*cone->findings[0].place.x, 0.1, 1e-6);
+  EXPECT_NEAR(*cone->findings[0].place.y, -0.2, 1e-6);
 }
 
 TEST(SurfaceInput, SurfacesTooFarFromTheOriginAreRefused) {

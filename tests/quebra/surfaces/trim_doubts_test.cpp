@@ -41,6 +41,12 @@ TEST(TrimDoubts, AHoleInAHoleOrOnItIsTold) {
   }
 }
 
+TEST(TrimDoubts, ALoopSmallerThanAPointIsRefusedAsSuch) {
+  const auto made = test::surfaces_of(plate + circle("h", "hole", "[5, 5]", "1e-7"));
+  ASSERT_FALSE(made.ok());
+  EXPECT_THAT(made.error().message, HasSubstr("smaller than what counts as one point"));
+}
+
 TEST(TrimDoubts, HolesThatTakeSomethingAwayAreNotTold) {
   EXPECT_TRUE(told(plate + circle("h", "hole", "[3, 5]", "1") + circle("k", "hole", "[7, 5]", "1")).empty());
   EXPECT_TRUE(told(plate + circle("o", "outline", "[5, 5]", "4") + circle("k", "hole", "[5, 5]", "1")).empty());
