@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "quebra/surfaces/mesh_surfaces.h"
 #include "shared/surf/trim/area.h"
 #include "tests/support/surface_scenarios.h"
 
@@ -79,6 +80,27 @@ TEST(TrimRings, HolesOverASeamTakeTheSameAsElsewhere) {
   // Over both seams of a torus, at the corner of its chart.
   EXPECT_NEAR(area_of(ring + by_sphere("[6, 0, 0]", "0.5")), area_of(ring + by_sphere("[-6, 0, 0]", "0.5")), 1e-6);
   EXPECT_LT(area_of(ring + by_sphere("[6, 0, 0]", "0.5")), 20 * pi * pi - 0.7);
+}
+
+TEST(TrimRings, ALineAlongASeamIsASetOfTheMesh) {
+  const std::string along = "[[input.trim]]\nname = \"l\"\nkind = \"line\"\nrole = \"internal\"\npoints = ";
+  const auto length = [](const std::string& text) {
+    auto made = surfaces_of(text);
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+    model::SurfaceSet set{.faces = made->faces, .chart_units = {}, .parts = made->parts};
+    for (const ChartUnits& units : made->units) set.chart_units.push_back({units.u, units.v});
+    const auto mesh = mesh_surfaces(set, {.sizes = {.largest = 0.5}});
+    EXPECT_TRUE(mesh.ok()) << (mesh ? "" : to_string(mesh.error()));
+    double sum = 0.0;
+    const auto found = mesh->mesh.constraint_sets.find("l");
+    if (found == mesh->mesh.constraint_sets.end()) return sum;
+    for (const auto& side : found->second) sum += distance(mesh->mesh.point(side[0]), mesh->mesh.point(side[1]));
+    return sum;
+  };
+  EXPECT_NEAR(length(pipe + along + "[[0, 2], [0, 7]]\n"), 5.0, 1e-9);
+  EXPECT_NEAR(length(ring + along + "[[90, 0], [180, 0]]\n"), 3 * pi, 0.1);
+  EXPECT_NEAR(length(ring + along + "[[0, 90], [0, 180]]\n"), pi / 2, 0.05);
+  EXPECT_NEAR(length(ball + along + "[[0, -30], [0, 60]]\n"), pi, 0.05);  // into both charts of the poles
 }
 
 }  // namespace
