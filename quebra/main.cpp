@@ -3,6 +3,7 @@
 #include "quebra/cli/analysis_commands.h"
 #include "quebra/cli/check_command.h"
 #include "quebra/cli/mesh_command.h"
+#include "quebra/cli/sheet_commands.h"
 #include "quebra/cli/solid_command.h"
 #include "quebra/core/operations.h"
 #include "shared/cli/cli.h"
@@ -32,7 +33,8 @@ int main(int argc, char** argv) {
   auto commands = quebra::cli::analysis_commands();
   commands.insert(commands.begin(),
                   {dobra::cli::offset_command(), quebra::cli::mesh_command(), quebra::cli::check_command(),
-                   quebra::cli::solid_command(), dobra::cli::convert_command()});
+                   quebra::cli::solid_command(), quebra::cli::parametrise_command(), quebra::cli::remesh_command(),
+                   dobra::cli::convert_command()});
   return dobra::fem::run_in_group(
       argc, argv, [&] { return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands); });
 }

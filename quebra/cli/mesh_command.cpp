@@ -19,6 +19,7 @@
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/surface_layers.h"
+#include "quebra/core/surface_start.h"
 #include "quebra/meshing/meshing.h"
 #include "quebra/model/mesh_files.h"
 #include "quebra/model/model.h"
@@ -123,6 +124,8 @@ Result<scenario::Document> mesh_document_of(Session& session, const MeshOptions&
   const auto fields = scenario::fields_in(session.program.find_operation("mesh")->fields, document.units);
   DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
   DOBRA_TRY_VOID(options.step.set(fields, params));
+  if (core::is_brep(options.input.scenario.file.string()) && params.find("turn") == nullptr)
+    params.set("turn", core::usual_turn_of_brep);
   for (const std::string& text : options.bands) {
     DOBRA_TRY(scenario::Step step, band_step(text));
     document.steps.insert(document.steps.end() - 1, std::move(step));

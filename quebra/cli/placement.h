@@ -1,20 +1,17 @@
 #pragma once
 // A mesh placed by a matrix, for --place of `quebra solid`.
 
-#include <array>
 #include <string>
 
 #include "shared/base/result.h"
 #include "shared/mesh/polygon_mesh.h"
+#include "shared/solid/placement.h"
 
 namespace quebra::cli {
 
-/// Row by row; applied to columns (x, y, z, 1).
-using Matrix = std::array<double, 16>;
-
-/// 16 numbers with commas between them.
-/// @error BadValue: not 16 numbers, not finite, a last row other than 0, 0, 0, 1, or a matrix that makes volumes flat.
-dobra::base::Result<Matrix> parse_matrix(const std::string& text);
+/// 16 numbers with commas between them, row by row.
+/// @error BadValue: not 16 numbers, and what check_matrix() says.
+dobra::base::Result<dobra::solid::Matrix> parse_matrix(const std::string& text);
 
 struct Placed {
   dobra::mesh::PolygonMesh mesh;
@@ -23,6 +20,6 @@ struct Placed {
 
 /// Faces are turned over where the matrix mirrors, so that outside stays outside.
 /// @error NotFinite if a coordinate grows too large.  @cost O(n)
-dobra::base::Result<Placed> place(const dobra::mesh::PolygonMesh& mesh, const Matrix& matrix);
+dobra::base::Result<Placed> place(const dobra::mesh::PolygonMesh& mesh, const dobra::solid::Matrix& matrix);
 
 }  // namespace quebra::cli

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "quebra/cli/placement.h"
+#include "quebra/cli/solid_cut.h"
 #include "quebra/cli/surface_report.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
@@ -20,8 +21,9 @@
 #include "shared/solid/measure.h"
 #include "shared/solid/mesh_solid.h"
 
-// 1. All files are read, placed and taken as solids. 2. Operations of one kind that follow each other are one: A - B -
-// C is A without B and C. 3. The result is measured, written, and told.
+// 1. All files are read, placed and taken as solids; scenarios are run. 2. Operations of one kind that follow each
+// other are one: A - B - C is A without B and C. 3. The result is measured, cut where a plane is given, written, and
+// told.
 
 namespace quebra::cli {
 namespace {
@@ -48,6 +50,8 @@ struct SolidOptions {
   Path file;
   std::array<std::vector<std::string>, kinds.size()> others;
   std::vector<std::string> places;
+  std::optional<std::string> cut;
+  std::string part;
   std::optional<Path> out;
 };
 
@@ -94,18 +98,21 @@ auto timed(double& seconds, Work&& work) {
 }
 
 struct Outcome {
-  Solid solid;
+  std::vector<Bodies::Body> bodies;
+  Solid solid;  ///< All of them together.
   std::vector<Finding> findings;
   Seconds seconds;
+  std::optional<CutFigures> cut;
 };
 
 base::Place in_file(const std::string& file) { return {.file = file}; }
 
-Result<Solid> read_solid(const std::string& file, const std::optional<std::string>& matrix,
+/// @param name  of faces, where a section is to name them; else they have none.
+Result<Bodies> read_mesh(const std::string& file, const std::optional<std::string>& matrix, const std::string& name,
                          std::vector<Finding>& findings) {
   DOBRA_TRY(mesh::PolygonMesh mesh, io::formats::read_boundary(file));
   if (matrix) {
-    DOBRA_TRY(const Matrix numbers, parse_matrix(*matrix));
+    DOBRA_TRY(const solid::Matrix numbers, parse_matrix(*matrix));
     DOBRA_TRY(Placed placed, place(mesh, numbers));
     if (placed.rounded > 0) {
       findings.push_back(
@@ -117,12 +124,22 @@ Result<Solid> read_solid(const std::string& file, const std::optional<std::strin
     }
     mesh = std::move(placed.mesh);
   }
-  auto read = solid::from_mesh(mesh);
+  solid::FromMeshOptions from;
+  from.name = name;
+  auto read = solid::from_mesh(mesh, from);
   if (!read) return base::located(read.error(), in_file(file));
   if (read->empty()) {
     return Error{ErrorCode::NotClosed, "bounds nothing: none of its faces has an area", in_file(file)};
   }
-  return read;
+  return Bodies{{{Path(file).stem().string(), *std::move(read)}}};
+}
+
+/// A mesh file, or the part of a scenario, the last if `part` is empty.
+Result<Bodies> read_bodies(Session& session, const SolidOptions& options, const std::string& file,
+                           const std::string& part, const std::optional<std::string>& matrix,
+                           std::vector<Finding>& findings) {
+  if (Path(file).extension() == ".toml") return part_of_scenario(session, file, part, matrix, findings);
+  return read_mesh(file, matrix, options.cut ? Path(file).stem().string() : "", findings);
 }
 
 /// What the operands have in common; nothing to tell if they overlap and something is left.
@@ -144,25 +161,49 @@ std::optional<Finding> contact_finding(Contact contact, bool empty, const std::s
   return empty ? std::optional(told("{}: the solids overlap, and nothing is left")) : std::nullopt;
 }
 
+/// One operation on all bodies: united they are one, else each keeps its material.
+Result<Contact> combine_bodies(std::vector<Bodies::Body>& bodies, std::span<const Solid> others, Operation operation) {
+  Contact most = Contact::Nothing;
+  std::vector<Bodies::Body> results;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    std::vector<Solid> operands{bodies[i].solid};
+    if (operation == Operation::Union) {
+      for (std::size_t j = 1; j < bodies.size(); ++j) operands.push_back(bodies[j].solid);
+    }
+    operands.insert(operands.end(), others.begin(), others.end());
+    DOBRA_TRY(solid::Combined combined, solid::combine(operands, operation));
+    most = std::max(most, combined.contact);
+    results.push_back({bodies[i].material, std::move(combined.solid)});
+    if (operation == Operation::Union) break;
+  }
+  bodies = std::move(results);
+  return most;
+}
+
+Result<Solid> together(const std::vector<Bodies::Body>& bodies) {
+  if (bodies.size() == 1) return bodies[0].solid;
+  std::vector<Solid> solids;
+  for (const Bodies::Body& body : bodies) solids.push_back(body.solid);
+  DOBRA_TRY(solid::Combined combined, solid::combine(solids, Operation::Union));
+  return std::move(combined.solid);
+}
+
 /// Applies the steps; those of one kind that follow each other at once.
 Result<void> apply(const std::vector<Step>& steps, std::span<const Solid> solids, Session& session, Outcome& outcome) {
   for (std::size_t first = 0; first < steps.size();) {
     DOBRA_TRY_VOID(session.check());
-    std::vector<Solid> operands{outcome.solid};
     std::vector<std::string> files;
     std::size_t end = first;
-    for (; end < steps.size() && steps[end].kind == steps[first].kind; ++end) {
-      operands.push_back(solids[end]);
-      files.push_back(steps[end].file);
-    }
+    for (; end < steps.size() && steps[end].kind == steps[first].kind; ++end) files.push_back(steps[end].file);
     const auto [option, operation] = kinds[steps[first].kind];
-    DOBRA_TRY(solid::Combined combined, solid::combine(operands, operation));
-    outcome.solid = std::move(combined.solid);
+    DOBRA_TRY(const Contact contact, combine_bodies(outcome.bodies, solids.subspan(first, end - first), operation));
+    const bool empty =
+        std::all_of(outcome.bodies.begin(), outcome.bodies.end(), [](const auto& body) { return body.solid.empty(); });
     const std::string named = fmt::format("{} {}", option, fmt::join(files, ", "));
-    if (auto finding = contact_finding(combined.contact, outcome.solid.empty(), named))
-      outcome.findings.push_back(std::move(*finding));
+    if (auto finding = contact_finding(contact, empty, named)) outcome.findings.push_back(std::move(*finding));
     first = end;
   }
+  DOBRA_TRY(outcome.solid, together(outcome.bodies));
   return {};
 }
 
@@ -218,6 +259,7 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   json["faces"] = counts.faces;
   json["seconds"] = {
       {"read", outcome.seconds.read}, {"boolean", outcome.seconds.boolean}, {"write", outcome.seconds.write}};
+  if (outcome.cut) json["cut"] = json_of(*outcome.cut);
   json["findings"] = findings_json(outcome.findings, {});
   return json;
 }
@@ -238,28 +280,52 @@ Result<void> tell(Session& session, const Outcome& outcome) {
   return dobra::cli::print(text);
 }
 
-Result<int> solid_job(Session& session, const SolidOptions& options, const std::vector<Step>& steps) {
-  if (options.out) {
+/// What can be said before anything is read.
+Result<void> check_options(const SolidOptions& options, const std::vector<Step>& steps) {
+  if (options.cut) {
+    DOBRA_TRY_VOID(parse_plane(*options.cut));
+    if (options.out && options.out->extension() != ".toml") {
+      return Error{ErrorCode::BadUsage,
+                   fmt::format("--out {}: the section that --cut makes is a scenario; give a name that ends in .toml",
+                               options.out->string())};
+    }
+  } else if (options.out) {
     DOBRA_TRY_VOID(io::formats::check_boundary_ending(options.out->string()));
-    DOBRA_TRY_VOID(dobra::cli::check_writable(*options.out));
   }
+  if (!options.part.empty() && options.file.extension() != ".toml")
+    return Error{ErrorCode::BadUsage, "--part names a part of a scenario, and FILE is none"};
+  if (options.out) DOBRA_TRY_VOID(dobra::cli::check_writable(*options.out));
   for (const Step& step : steps) {
     if (step.matrix) DOBRA_TRY_VOID(parse_matrix(*step.matrix));
   }
+  return {};
+}
+
+Result<int> solid_job(Session& session, const SolidOptions& options, const std::vector<Step>& steps) {
+  DOBRA_TRY_VOID(check_options(options, steps));
   Outcome outcome;
   std::vector<Solid> solids;
-  const auto read = [&](const std::string& file, const std::optional<std::string>& matrix) {
-    return timed(outcome.seconds.read, [&] { return read_solid(file, matrix, outcome.findings); });
+  const auto read = [&](const std::string& file, const std::string& part, const std::optional<std::string>& matrix) {
+    return timed(outcome.seconds.read,
+                 [&] { return read_bodies(session, options, file, part, matrix, outcome.findings); });
   };
-  DOBRA_TRY(outcome.solid, read(options.file.string(), std::nullopt));
+  DOBRA_TRY(Bodies first, read(options.file.string(), options.part, std::nullopt));
+  outcome.bodies = std::move(first.bodies);
   for (const Step& step : steps) {
     DOBRA_TRY_VOID(session.check());
-    DOBRA_TRY(Solid solid, read(step.file, step.matrix));
+    DOBRA_TRY(const Bodies other, read(step.file, "", step.matrix));
+    DOBRA_TRY(Solid solid, together(other.bodies));
     solids.push_back(std::move(solid));
   }
   DOBRA_TRY_VOID(timed(outcome.seconds.boolean, [&] { return apply(steps, solids, session, outcome); }));
-  if (options.out)
+  if (options.cut) {
+    DOBRA_TRY(const solid::CutPlane plane, parse_plane(*options.cut));
+    DOBRA_TRY(outcome.cut, timed(outcome.seconds.write, [&] {
+                return cut_bodies(session, outcome.bodies, plane, options.out, outcome.findings);
+              }));
+  } else if (options.out) {
     DOBRA_TRY_VOID(timed(outcome.seconds.write, [&] { return write_out(session, *options.out, outcome); }));
+  }
   DOBRA_TRY_VOID(tell(session, outcome));
   return 0;
 }
@@ -274,7 +340,9 @@ Result<void> tell_refusal(Session& session, const Error& error) {
 
 void add_options(CLI::App& app, SolidOptions& options) {
   const std::string endings = fmt::format("{}", fmt::join(io::formats::boundary_endings(), " "));
-  app.add_option("file", options.file, fmt::format("Boundary of a solid: {}", endings))->required()->type_name("FILE");
+  app.add_option("file", options.file, fmt::format("Boundary of a solid: {}; or a scenario of solids (.toml)", endings))
+      ->required()
+      ->type_name("FILE");
   const std::array help{"What is in either", "What is in both", "What is not in the other file"};
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     app.add_option(kinds[kind].first, options.others[kind],
@@ -286,7 +354,12 @@ void add_options(CLI::App& app, SolidOptions& options) {
                  "Move the file before it: the 16 numbers of a matrix, row by row, with commas between them")
       ->allow_extra_args(false)
       ->type_name("M");
-  app.add_option("--out", options.out, fmt::format("File to write: {}", endings))->type_name("FILE");
+  app.add_option("--part", options.part, "Of a scenario: the part that is meant; the last where left out")
+      ->type_name("NAME");
+  app.add_option("--cut", options.cut, "Cut the result by the plane a x + b y + c z + d = 0: a plane domain")
+      ->type_name("a,b,c,d");
+  app.add_option("--out", options.out, fmt::format("File to write: {}; with --cut a scenario (.toml)", endings))
+      ->type_name("FILE");
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ const char* name_of(base::ErrorCode code) {
 
 nlohmann::ordered_json place_json(const base::Place& place, const scenario::UnitSystem& units) {
   nlohmann::ordered_json json;
+  if (!place.item.empty()) json["item"] = place.item;
   if (!place.file.empty()) json["file"] = place.file;
   if (place.line > 0) json["line"] = place.line;
   if (place.x && place.y) {

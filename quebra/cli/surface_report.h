@@ -9,7 +9,7 @@
 
 namespace quebra::cli {
 
-/// [{"code", "message", "place"}]; a place is {"point": [x, y, z], "uv": [u, v]} or {"file", "line"}, with the parts
+/// [{"code", "message", "place"}]; a place is {"item", "file", "line", "point": [x, y, z], "uv": [u, v]} with the parts
 /// that are known, or null.
 nlohmann::ordered_json findings_json(const std::vector<dobra::surf::mesh::Finding>& findings,
                                      const dobra::scenario::UnitSystem& units);

@@ -232,6 +232,10 @@ Result<scenario::Document> with_curves_edited(scenario::Document document, const
 
 Result<scenario::Document> with_curve(scenario::Document document, const std::string& kind, const std::string& name,
                                       const geom::Polyline& line) {
+  if (document.input.find("surface") != nullptr || scenario::text_in(document.input, "file").ends_with(".brep"))
+    return scenario::edit_refused(
+        name,
+        "this document is of surfaces, whose lines are trims: draw cracks with the crack tool, others in the form");
   if (dobra::base::trimmed(name).empty()) return scenario::edit_refused(name, "give it a name");
   const bool places = kind == "point" || kind == "region";
   const std::string key = places || kind == "crack" ? kind : "curve";

@@ -14,6 +14,7 @@
 #include "quebra/repair/repair.h"
 #include "quebra/sketch/roles_by_name.h"
 #include "quebra/sketch/sketch_file.h"
+#include "quebra/solids/parts.h"
 #include "quebra/surfaces/finding_text.h"
 #include "shared/geom/drawn_curve.h"
 #include "shared/io/faces/import.h"
@@ -285,6 +286,14 @@ Result<void> check_without_surfaces(const InputParams& params, const dobra::scen
   return {};
 }
 
+/// Surfaces and faces are mended unasked, or refused.
+Result<void> no_repair(const InputParams& params, const dobra::scenario::Table& table) {
+  if (params.repair != Repair::Yes) return {};
+  return Error{ErrorCode::BadValue,
+               "`repair` mends drawings of plane domains; loops of faces are mended without it: leave it out",
+               table.place("repair")};
+}
+
 /// The faces of a boundary model, whose numbers are in the document's length.
 Result<model::Model> read_faces(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
@@ -294,6 +303,7 @@ Result<model::Model> read_faces(const InputParams& params, const dobra::scenario
                  fmt::format("`{}` is of a plane domain and stands beside faces of '{}'", plane, params.file),
                  table.place(plane)};
   }
+  DOBRA_TRY_VOID(no_repair(params, table));
   const std::string path = (context.folder / params.file).string();
   DOBRA_TRY(dobra::io::faces::Imported imported, dobra::io::faces::faces_of_file(path));
   if (imported.faces.empty()) {
@@ -318,6 +328,7 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
                     plane),
         table.place(plane)};
   }
+  DOBRA_TRY_VOID(no_repair(params, table));
   DOBRA_TRY(surfaces::Surfaces made, surfaces::make_surfaces(params, table, context.units));
   if (made.faces.empty())
     return Error{ErrorCode::BadValue, "every surface is a tool; give one with use = \"mesh\"", table.place("surface")};
@@ -328,10 +339,26 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
                   std::move(made.findings), context);
 }
 
+/// A model whose steps make its parts.
+Result<model::Model> read_solids(const dobra::scenario::Table& table, const dobra::scenario::Context& context) {
+  for (const auto& entry : table.entries()) {
+    if (entry.key == "solids") continue;
+    return Error{ErrorCode::BadValue,
+                 fmt::format("`{}` stands beside solids = true, where steps alone make the model", entry.key),
+                 table.place(entry.key)};
+  }
+  model::Model model;
+  model.units = context.shown_units;
+  model.domain.unit = context.units.to_si(1.0, "m");
+  model.solids = std::make_shared<const solids::Parts>();
+  return model;
+}
+
 }  // namespace
 
 Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
+  if (params.solids) return read_solids(table, context);
   if (!params.surfaces.empty()) return read_surfaces(params, table, context);
   DOBRA_TRY_VOID(check_without_surfaces(params, table));
   if (is_brep(params.file)) return read_faces(params, table, context);

@@ -186,6 +186,7 @@ struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
   std::optional<double> width, height, radius, crack, position;
   std::optional<dobra::base::Angle> angle;
   std::string file;
+  bool solids = false;
   std::vector<std::string> kinds;
   double join_tolerance = domain::DomainOptions{}.join_tolerance;
   Repair repair = Repair::No;
@@ -242,6 +243,9 @@ struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
            {.title = "File",
             .help = "Geometry as a drawing or as lines, a mesh whose boundary is meant, or faces of a boundary model.",
             .files = input_files()});
+    d.field("solids", &InputParams::solids,
+            {.title = "Solids",
+             .help = "The steps make solids: there is no plane domain before the step `cut` makes one of them."});
     d.field("kind", &InputParams::kinds,
             {.title = "Kinds by names",
              .help = "What curves of the file are, such as 'C*=crack': outline, hole, internal, crack, found (as the "

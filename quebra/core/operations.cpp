@@ -13,6 +13,7 @@
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/result_picture.h"
+#include "quebra/core/solid_operations.h"
 #include "quebra/core/surface_layers.h"
 #include "quebra/meshing/constraint.h"
 #include "quebra/meshing/half_crack.h"
@@ -152,9 +153,11 @@ base::Result<model::Model> mesh_model(const model::Model& model, const meshing::
 
 // What a model tells: of its domain, or of its surfaces.
 void quantities(const model::Model& model, std::vector<scenario::Quantity>& all) {
+  if (only_solids(model)) return;
   model.surfaces ? add_surface_quantities(model, all) : add_quantities(model, all);
 }
 void finding_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
+  if (only_solids(model)) return;
   model.surfaces ? add_surface_finding_tables(model, tables) : add_finding_tables(model, tables);
 }
 void mesh_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
@@ -164,13 +167,13 @@ void mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vector<
   model->surfaces ? add_surface_mesh_outputs(model, outputs) : add_mesh_outputs(model, outputs);
 }
 void draw_model(const model::Model& model, dobra::scene::Picture& picture) {
+  if (only_solids(model)) return;
   model.surfaces ? draw_surfaces(model, picture) : draw(model, picture);
 }
 
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
-      "mesh", "Mesh",
-      "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
+      "mesh", "Mesh", "Divides borders and fills the domain with triangles, or each surface: sizes first, then shapes.",
       mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
   operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
                                         const scenario::Context& context,
@@ -194,6 +197,21 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
     if (mesher_at_work(state)) {
       return base::Error{base::ErrorCode::CannotMesh,
                          "the mesh before this step was stopped before it was done: set its stop_after to 0"};
+    }
+    return run(state, table, context, progress);
+  };
+  return operation;
+}
+
+/// Solids have no plane domain until they are cut.
+scenario::Operation after_a_cut(scenario::Operation operation) {
+  operation.run = [run = operation.run, name = operation.name](
+                      const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+                      const base::Progress& progress) -> base::Result<scenario::State> {
+    if (only_solids(scenario::model_of<model::Model>(state))) {
+      return base::Error{
+          base::ErrorCode::BadDomain,
+          fmt::format("`{}` needs a plane domain, and there are solids alone: put a step `cut` before it", name)};
     }
     return run(state, table, context, progress);
   };
@@ -252,7 +270,7 @@ scenario::Program make_program() {
   program.read_input = input;
   program.draw_input = draw_input;
   program.nothing_yet = [](const scenario::Table& input) {
-    constexpr std::array keys{"specimen", "file", "curve", "crack", "surface"};
+    constexpr std::array keys{"specimen", "file", "curve", "crack", "surface", "solids"};
     return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return input.find(key) != nullptr; });
   };
   program.drawing = drawing();
@@ -260,8 +278,12 @@ scenario::Program make_program() {
   program.units_of = units_of;
   program.names_of = [](const scenario::State& state, const std::string& what) {
     const auto& model = scenario::model_of<model::Model>(state);
-    if (!model.surfaces) return names_in(model.domain, what);
     std::vector<std::string> names;
+    if (what == "part" && model.solids) {
+      for (const auto& part : model.solids->parts) names.push_back(part.name);
+      return names;
+    }
+    if (!model.surfaces) return names_in(model.domain, what);
     for (const auto& face : model.surfaces->faces) {
       if (what == "surface" || what == "region") add_once(face.name, names);
     }
@@ -276,7 +298,10 @@ scenario::Program make_program() {
       .tables = finding_tables,
       .remarks = [](const model::Model& model, auto& remarks) { remarks = model.remarks; },
       .draw = draw_model,
-      .draw_space = draw_surfaces_in_space,
+      .draw_space =
+          [](const model::Model& model, auto& picture) {
+            if (!model.solids) draw_surfaces_in_space(model, picture);
+          },
   });
   program.operations = {
       scenario::make_operation<model::Model, meshing::ConstraintParams>(
@@ -319,10 +344,12 @@ scenario::Program make_program() {
       operations::offset_operation<model::Model, OffsetKeeper>(),
   };
   for (scenario::Operation& operation : program.operations) {
+    operation = after_a_cut(std::move(operation));
     if (operation.name == "mesh") continue;
     operation = after_a_whole_mesh(std::move(operation));
     if (operation.name != "shell") operation = of_plane_domains(std::move(operation));
   }
+  for (scenario::Operation& operation : solid_operations()) program.operations.push_back(std::move(operation));
   return program;
 }
 

@@ -109,6 +109,34 @@ Result<PartEdit> with_part_turned(scenario::Document document, const model::Surf
   return PartEdit{std::move(document), !is_in};
 }
 
+Result<scenario::Document> with_crack_on(scenario::Document document, const model::SurfaceSet& set, std::size_t face,
+                                         const std::string& name, std::span<const ChartPoint> line) {
+  if (face >= set.parts.size())
+    return Error{
+        ErrorCode::NotSupported,
+        translated("faces of a file are meshed as they are; cracks are of surfaces that a scenario describes")};
+  const geom::Box& box = set.faces[face].surface.chart();
+  const geom::Vector unit = set.chart_units[face];
+  const auto written = [](double value, double low, double high, bool exact) {
+    const double short_one = rounded(value, high - low, 4);
+    if (value <= low || value >= high) return base::without_rounding(std::clamp(value, low, high));
+    return exact || short_one <= low || short_one >= high ? base::without_rounding(value) : short_one;
+  };
+  std::vector<Point> points;
+  for (const ChartPoint& each : line)
+    points.push_back({written(each.uv.x / unit.x, box.low.x / unit.x, box.high.x / unit.x, each.exact),
+                      written(each.uv.y / unit.y, box.low.y / unit.y, box.high.y / unit.y, each.exact)});
+  scenario::Table entry;
+  entry.set("name", name);
+  if (set.faces.size() > 1) entry.set("surface", set.parts[face].surface);
+  entry.set("role", std::string("crack"));
+  entry.set("points", std::move(points));
+  scenario::Entries entries = scenario::entries_of(document.input, "trim");
+  entries.push_back(std::move(entry));
+  scenario::set_entries(document.input, "trim", std::move(entries));
+  return document;
+}
+
 Result<scenario::Document> with_control_moved(scenario::Document document, const model::SurfaceSet& set,
                                               std::size_t control, Point3 to) {
   const auto in_document = [&](double shown) {

@@ -1,6 +1,9 @@
 #pragma once
 // What is chosen and dragged on surfaces in the window, as functions of the document. Page: docs/user/space_view.md.
 
+#include <span>
+#include <string>
+
 #include "quebra/model/surface_meshed.h"
 #include "shared/scenario/document.h"
 
@@ -18,6 +21,19 @@ struct PartEdit {
 ///        part that is left.
 dobra::base::Result<PartEdit> with_part_turned(dobra::scenario::Document document, const model::SurfaceSet& set,
                                                std::size_t face, dobra::geom::Point uv);
+
+/// A point of a line that is drawn in a chart; one that was drawn to something else is written with all its digits.
+struct ChartPoint {
+  dobra::geom::Point uv;
+  bool exact = false;
+};
+/// The document with one more [[input.trim]] of role "crack" along a line of a face. What lies beyond a side of the
+/// chart is put onto that.
+/// @pre face < set.faces.size(), two points or more
+/// @error NotSupported: the face comes from a file.
+dobra::base::Result<dobra::scenario::Document> with_crack_on(dobra::scenario::Document document,
+                                                             const model::SurfaceSet& set, std::size_t face,
+                                                             const std::string& name, std::span<const ChartPoint> line);
 
 /// The document with a control point, and all others that stand at the very same place, somewhere else: borders that
 /// share a corner keep it.

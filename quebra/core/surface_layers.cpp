@@ -362,6 +362,8 @@ void draw_surfaces_in_space(const model::Model& model, scene::space::SpacePictur
       });
   add_controls(set, picture.layers);
   picture.camera = scene::space::camera_of(scene::space::StandardView::Isometric);
+  // Good elements have a dark colour: the insides of shells, that the light passes by, are to show it with its edges.
+  picture.light.ambient = 0.7;
 }
 
 void add_surface_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {

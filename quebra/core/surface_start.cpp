@@ -13,7 +13,6 @@ using namespace dobra;
 namespace {
 
 constexpr double sides_a_diagonal = 30.0;
-constexpr double usual_turn = 15.0;  ///< Degrees.
 
 /// 1, 2 or 5 times a power of ten, not above `value`.
 double round_number(double value) {
@@ -53,7 +52,7 @@ base::Result<scenario::Document> document_of_brep(const std::filesystem::path& f
   scenario::Step mesh;
   mesh.operation = "mesh";
   mesh.params.set("size", round_number(diagonal / sides_a_diagonal));
-  mesh.params.set("turn", usual_turn);
+  mesh.params.set("turn", usual_turn_of_brep);
   document.steps.push_back(std::move(mesh));
   return document;
 }

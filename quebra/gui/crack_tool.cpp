@@ -8,6 +8,9 @@
 #include <numbers>
 
 #include "quebra/core/drawing.h"
+#include "quebra/core/drawn_chart.h"
+#include "quebra/core/surface_edits.h"
+#include "quebra/gui/surfaces_shown.h"
 #include "quebra/model/model.h"
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
@@ -44,11 +47,16 @@ class CrackTool final : public canvas::Tool {
     return translated("Click the next point, or type @d<angle; Enter ends the crack, Backspace takes a point back");
   }
 
-  void press(canvas::Workspace&, const canvas::Pointer& pointer) override {
+  void press(canvas::Workspace& work, const canvas::Pointer& pointer) override {
     const Place place = place_of(pointer);
     if (!points_.empty() && points_.back() == place.at) return;
-    if (points_.empty()) border_ = place.border;
+    if (points_.empty()) {
+      border_ = place.border;
+      panel_ = work.empty() ? std::string() : work.panel().key;
+      snapped_.clear();
+    }
     points_.push_back(place.at);
+    snapped_.push_back(pointer.snap.has_value());
     cursor_ = place.at;
   }
   void move(canvas::Workspace&, const canvas::Pointer& pointer) override { cursor_ = place_of(pointer).at; }
@@ -64,7 +72,10 @@ class CrackTool final : public canvas::Tool {
     }
     if (key == canvas::Key::Enter) end();
     if (key == canvas::Key::Escape) points_.clear();
-    if (key == canvas::Key::Backspace) points_.pop_back();
+    if (key == canvas::Key::Backspace) {
+      points_.pop_back();
+      snapped_.pop_back();
+    }
     return true;
   }
   void put_down(canvas::Workspace&) override {
@@ -185,13 +196,24 @@ class CrackTool final : public canvas::Tool {
   }
 
   [[nodiscard]] bool is_taken(const std::string& name) const {
-    for (const char* key : {"curve", "crack"}) {
+    for (const char* key : {"curve", "crack", "trim"}) {
       scenario::Entries entries = scenario::entries_of(session_.document().input, key);
       if (scenario::entry_named(entries, name) != entries.end()) return true;
     }
     const model::Model* model = input();
     return model != nullptr && std::any_of(model->domain.curves.begin(), model->domain.curves.end(),
                                            [&](const sketch::Curve& curve) { return curve.name == name; });
+  }
+
+  /// A trim of the surface whose chart it was drawn in.
+  [[nodiscard]] dobra::base::Result<scenario::Document> on_surface(const model::Model& model, std::size_t face,
+                                                                   const std::string& name) const {
+    const core::DrawnChart chart(model.surfaces->faces[face].surface);
+    std::vector<core::ChartPoint> line;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      line.push_back(
+          {chart.chart({model.units.to_si(points_[i].x, "m"), model.units.to_si(points_[i].y, "m")}), snapped_[i]});
+    return core::with_crack_on(session_.document(), *model.surfaces, face, name, line);
   }
 
   void end() {
@@ -201,7 +223,11 @@ class CrackTool final : public canvas::Tool {
     }
     std::string name = "crack";
     for (int i = 2; is_taken(name); ++i) name = fmt::format("crack_{}", i);
-    auto document = core::with_curve(session_.document(), "crack", name, {std::move(points_), false});
+    const auto face = core::face_of_chart(panel_);
+    const model::Model* model = face ? model_with_surfaces(session_) : nullptr;
+    auto document = model != nullptr && *face < model->surfaces->faces.size()
+                        ? on_surface(*model, *face, name)
+                        : core::with_curve(session_.document(), "crack", name, {points_, false});
     points_.clear();
     if (!document) {
       say(canvas::Told{dobra::gui::in_words(document.error()).toStdString()});
@@ -212,6 +238,8 @@ class CrackTool final : public canvas::Tool {
 
   dobra::gui::Session& session_;
   std::vector<Point> points_;
+  std::vector<bool> snapped_;      ///< One a point: it was drawn to something.
+  std::string panel_;              ///< Where the first one was clicked.
   std::optional<OnCurve> border_;  ///< On which the first point stands.
   Point cursor_;
 };

@@ -43,13 +43,18 @@ void draw_controls(QPainter& painter) {
 
 dobra::gui::WindowPart window_part() {
   return {
-      .about = "Prepares finite-element meshes of fractured plane solids.",
+      .about =
+          "Prepares finite-element meshes of fractured plane solids and of surfaces and shells in space, and "
+          "analyses the plane ones.",
       .examples =
           {
               {"plate_with_hole.toml", "Plate with a hole", "A quarter of it, meshed with and without offset curves."},
               {"cracked_plate.toml", "Branched crack",
                "A crack through two materials, with small elements at its tips."},
               {"edge_crack.toml", "Edge crack in tension", "Mesh, analysis and stress intensity factors."},
+              {"surfaces/cracked_shell.toml", "Trimmed shell with a crack",
+               "A panel of a cylinder with a window, in its chart and in space, and its decks for CalculiX and "
+               "Nastran."},
           },
       .tools = {{.name = "crack",
                  .text = "Crack",

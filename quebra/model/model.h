@@ -22,6 +22,9 @@ struct ProblemParams;  // problem.h
 namespace quebra::surfaces {
 struct Shell;  // shell.h
 }
+namespace quebra::solids {
+struct Parts;  // parts.h
+}
 namespace quebra::core {
 struct ViewParams;  // result_picture.h
 }
@@ -79,6 +82,7 @@ struct Model {
   std::vector<Zone> zones;
   std::vector<HalfTip> half_tips;
   std::vector<std::shared_ptr<const Meshed>> meshes;                 ///< In the order made; each mesh step adds one.
+  std::shared_ptr<const solids::Parts> solids;                       ///< None but in a document of solids.
   std::shared_ptr<const SurfaceSet> surfaces;                        ///< None in a plane model.
   std::vector<std::shared_ptr<const SurfaceMeshed>> surface_meshes;  ///< As `meshes`.
   std::shared_ptr<const surfaces::Shell> shell;                      ///< Sections, supports and loads of `shell_mesh`.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "shared/surf/triangular_patch.h"
+
 namespace quebra::surfaces {
 
 using namespace dobra;
@@ -81,11 +83,19 @@ Result<Surface> make_round(const SurfaceParams& params) {
 }
 
 Result<Surface> make_swept(const SurfaceParams& params, const std::vector<Curve>& curves) {
-  const std::size_t wanted = params.kind == SurfaceKind::Coons ? 4 : params.kind == SurfaceKind::Ruled ? 2 : 1;
+  const bool triangular = params.kind == SurfaceKind::Triangular;
+  const std::size_t wanted = params.kind == SurfaceKind::Coons   ? 4
+                             : triangular                        ? 3
+                             : params.kind == SurfaceKind::Ruled ? 2
+                                                                 : 1;
   if (curves.size() != wanted)
     return lacking(
         fmt::format("`curves` must name {} space curve{}, found {}", wanted, wanted == 1 ? "" : "s", curves.size()));
   if (params.kind == SurfaceKind::Coons) return Surface::coons(curves[0], curves[1], curves[2], curves[3]);
+  if (triangular) {
+    DOBRA_TRY(const surf::TriangularPatch patch, surf::TriangularPatch::make(curves[0], curves[1], curves[2]));
+    return patch.surface();
+  }
   if (params.kind == SurfaceKind::Ruled) return Surface::ruled(curves[0], curves[1]);
   if (params.kind == SurfaceKind::Extruded) {
     if (!params.by) return lacking("`by` is needed: how far and where to the profile is extruded");
@@ -147,6 +157,7 @@ Result<Surface> make_surface(const SurfaceParams& params, const std::vector<Curv
     case SurfaceKind::Extruded:
     case SurfaceKind::Revolved:
     case SurfaceKind::Coons:
+    case SurfaceKind::Triangular:
       return make_swept(params, curves);
     case SurfaceKind::Sphere:
     case SurfaceKind::Cylinder:

@@ -23,7 +23,8 @@ enum class SurfaceKind {
   Torus,
   Graph,
   Nurbs,
-  Through
+  Through,
+  Triangular
 };
 /// Whether it is meshed, or there to cut others with.
 enum class SurfaceUse { Mesh, Tool };
@@ -52,20 +53,21 @@ struct SurfaceParams {
             {.title = "Name",
              .help = "Of the region of its elements; trims name it.",
              .presence = dobra::scenario::Presence::Required});
-    d.choice("kind", &SurfaceParams::kind,
-             {"plane", "ruled", "extruded", "revolved", "coons", "sphere", "cylinder", "cone", "torus", "graph",
-              "nurbs", "through"},
-             {.title = "Kind",
-              .help = "ruled, extruded, revolved, coons: of space curves; graph: height by a formula; nurbs: control "
-                      "points with knots; through: smooth through a grid of points."});
+    d.choice(
+        "kind", &SurfaceParams::kind,
+        {"plane", "ruled", "extruded", "revolved", "coons", "sphere", "cylinder", "cone", "torus", "graph", "nurbs",
+         "through", "triangular"},
+        {.title = "Kind",
+         .help = "ruled, extruded, revolved, coons, triangular: of space curves; graph: height by a formula; nurbs: "
+                 "control points with knots; through: smooth through a grid of points."});
     d.choice("use", &SurfaceParams::use, {"mesh", "tool"},
              {.title = "Use", .help = "tool: it is not meshed and only cuts others."});
     d.field("curves", &SurfaceParams::curves,
             {.title = "Curves",
              .help = "Names of space curves. ruled: v = 0 and v = 1; extruded, revolved: the profile; coons: bottom, "
-                     "top (both along u), left and right (both along v).",
+                     "top (both along u), left and right (both along v); triangular: three round it, each either way.",
              .names = "space_curve",
-             .when = "kind in ruled, extruded, revolved, coons"});
+             .when = "kind in ruled, extruded, revolved, coons, triangular"});
     d.field("origin", &SurfaceParams::origin,
             {.title = "Origin (x, y, z)",
              .help = "Centre of a sphere or torus, a point of an axis, the point u = v = 0 of a plane.",

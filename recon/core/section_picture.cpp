@@ -157,11 +157,30 @@ scene::Color of_words(scene::Color color) {
   return color;
 }
 
+/// The side on which nothing of the line itself is in the way: an overturned bed comes to its end from the right.
+scene::Anchor side_of_name(const geom::Polyline& line) {
+  constexpr double stretch = 0.1;  // of its length, before the end
+  double all = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) all += geom::distance(line.points[i - 1], line.points[i]);
+  double along = 0.0;
+  geom::Vector from{};  // from the end to where the stretch begins
+  for (std::size_t i = line.points.size() - 1; i > 0 && along < stretch * all; --i) {
+    const geom::Vector side = line.points[i - 1] - line.points[i];
+    const double length = geom::length(side);
+    if (!(length > 0.0)) continue;
+    const double part = std::min(1.0, (stretch * all - along) / length);
+    from = from + part * side;
+    along += part * length;
+  }
+  return from.x > std::abs(from.y) ? scene::Anchor::Left : scene::Anchor::Right;
+}
+
 /// Names at the right ends; the layout makes room for them. The highest choose first, the others stand below.
 void add_names(scene::Panel& panel, const section::Section& section, const section::Palette& palette) {
   struct Name {
     const section::Horizon* first;
     geom::Point at;
+    scene::Anchor side;
   };
   std::vector<Name> names;
   for (const std::vector<const section::Horizon*>& pieces : whole_horizons(section)) {
@@ -169,7 +188,7 @@ void add_names(scene::Panel& panel, const section::Section& section, const secti
         *std::max_element(pieces.begin(), pieces.end(), [](const section::Horizon* a, const section::Horizon* b) {
           return a->line.points.back().x < b->line.points.back().x;
         });
-    names.push_back({pieces.front(), last->line.points.back()});
+    names.push_back({pieces.front(), last->line.points.back(), side_of_name(last->line)});
   }
   std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.at.y < b.at.y; });
   for (const Name& name : names) {
@@ -178,7 +197,7 @@ void add_names(scene::Panel& panel, const section::Section& section, const secti
     style.text_size = 8.0;
     const std::string& text = whole_name(*name.first);
     panel.layers.push_back({"name_" + std::to_string(name.first->id.index()), text, style,
-                            scene::Labels{{{name.at, text, scene::Anchor::Right}}}, true, scene::InLegend::No});
+                            scene::Labels{{{name.at, text, name.side}}}, true, scene::InLegend::No});
   }
 }
 

@@ -1,12 +1,15 @@
 #include "recon/gui/balance_panel.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
 #include "recon/model/model.h"
@@ -56,10 +59,11 @@ BalancePanel::BalancePanel(const dobra::gui::Desk& desk, QWidget* parent) : QWid
   const QString units = QString::fromUtf8("\n[m, m²]");  // of beds and of units
   rows_->setHeaderLabels({text("Name"), text("Changed by"), text("Before") + units, text("After") + units});
   rows_->setRootIsDecorated(false);
-  rows_->setUniformRowHeights(true);
-  rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  rows_->setWordWrap(true);
+  rows_->viewport()->installEventFilter(this);
+  rows_->header()->setSectionResizeMode(QHeaderView::Fixed);
   rows_->header()->setMinimumSectionSize(rows_->fontMetrics().horizontalAdvance("-00.00 %"));
-  rows_->header()->setStretchLastSection(true);
+  rows_->header()->setStretchLastSection(false);
   column->addWidget(states_);
   column->addWidget(verdict_);
   column->addWidget(rows_, 1);
@@ -72,6 +76,34 @@ BalancePanel::BalancePanel(const dobra::gui::Desk& desk, QWidget* parent) : QWid
   connect(rows_, &QTreeWidget::itemSelectionChanged, this, &BalancePanel::select_lines);
   connect(rows_, &QTreeWidget::itemActivated, this, [this] { desk_.canvas.look_at_selection(); });
   show_outcome();
+}
+
+/// Numbers have the room that they need, and names the rest, in as many lines as that takes; no word is cut.
+void BalancePanel::fit_names() {
+  const QFontMetrics metrics = rows_->fontMetrics();
+  const int around = 2 * (rows_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+  int least = rows_->header()->sectionSizeHint(0);
+  int icon = 0;
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    const QTreeWidgetItem& row = *rows_->topLevelItem(i);
+    if (!row.icon(0).isNull()) icon = rows_->style()->pixelMetric(QStyle::PM_SmallIconSize) + around;
+    for (const QString& word : row.text(0).split(' ')) least = std::max(least, metrics.horizontalAdvance(word));
+  }
+  int numbers = 0;
+  for (int column = 1; column < rows_->columnCount(); ++column) numbers += rows_->header()->sectionSize(column);
+  const int width = std::max(least + icon + 2 * around, rows_->viewport()->width() - numbers);
+  rows_->header()->resizeSection(0, width);
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem& row = *rows_->topLevelItem(i);
+    const int room = width - around - (row.icon(0).isNull() ? 0 : icon);
+    const QRect words = metrics.boundingRect(QRect(0, 0, room, INT_MAX / 2), Qt::TextWordWrap, row.text(0));
+    row.setSizeHint(0, {width, std::max(words.height() + 2, row.icon(0).isNull() ? 0 : icon)});
+  }
+}
+
+bool BalancePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == rows_->viewport() && event->type() == QEvent::Resize) fit_names();
+  return QWidget::eventFilter(watched, event);
 }
 
 void BalancePanel::show_outcome() {
@@ -123,6 +155,8 @@ void BalancePanel::show_rows() {
                         : text("Not balanced: what changed by more than %1 % is marked.").arg(most));
   add_rows(compared.beds, Row::Bed, tolerance);
   add_rows(compared.units, Row::Unit, tolerance);
+  for (int column = 1; column < rows_->columnCount(); ++column) rows_->resizeColumnToContents(column);
+  fit_names();
   following_ = false;
   follow_selection();
 }

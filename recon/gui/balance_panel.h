@@ -20,6 +20,7 @@ class BalancePanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   /// Fills the rows once they can be seen.
@@ -27,6 +28,7 @@ class BalancePanel : public QWidget {
   void fill();
   void show_states(std::size_t count);
   void show_rows();
+  void fit_names();
   enum class Row { Bed, Unit };
   void add_rows(const std::vector<model::Compared>& rows, Row kind, double tolerance);
   /// The lines of the current row's bed.

@@ -216,8 +216,8 @@
         <translation>Restaura seções geológicas deformadas.</translation>
     </message>
     <message>
-        <source>Prepares finite-element meshes of fractured plane solids.</source>
-        <translation>Prepara malhas de elementos finitos de sólidos planos fraturados.</translation>
+        <source>Prepares finite-element meshes of fractured plane solids and of surfaces and shells in space, and analyses the plane ones.</source>
+        <translation>Prepara malhas de elementos finitos de sólidos planos fraturados e de superfícies e cascas no espaço, e analisa as planas.</translation>
     </message>
     <message>
         <source>About %1</source>
@@ -468,8 +468,8 @@
         <translation>Curvas paralelas a um contorno, como restrições internas que graduam a malha.</translation>
     </message>
     <message>
-        <source>Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.</source>
-        <translation>Divide o contorno e preenche o domínio com triângulos: quadtree para os tamanhos, Delaunay para as formas.</translation>
+        <source>Divides borders and fills the domain with triangles, or each surface: sizes first, then shapes.</source>
+        <translation>Divide os contornos e preenche com triângulos o domínio, ou cada superfície: primeiro os tamanhos, depois as formas.</translation>
     </message>
     <message>
         <source>mean alpha</source>
@@ -5023,6 +5023,14 @@
         <translation>Trinca de borda em tração</translation>
     </message>
     <message>
+        <source>Trimmed shell with a crack</source>
+        <translation>Casca recortada com uma trinca</translation>
+    </message>
+    <message>
+        <source>A panel of a cylinder with a window, in its chart and in space, and its decks for CalculiX and Nastran.</source>
+        <translation>Um painel de um cilindro com uma janela, em sua carta e no espaço, e seus arquivos para CalculiX e Nastran.</translation>
+    </message>
+    <message>
         <source>Mesh, analysis and stress intensity factors.</source>
         <translation>Malha, análise e fatores de intensidade de tensão.</translation>
     </message>
@@ -5547,8 +5555,8 @@
         <translation>Da região de seus elementos; os recortes o citam.</translation>
     </message>
     <message>
-        <source>ruled, extruded, revolved, coons: of space curves; graph: height by a formula; nurbs: control points with knots; through: smooth through a grid of points.</source>
-        <translation>regrada, extrudada, de revolução, coons: de curvas no espaço; gráfico: altura por uma fórmula; nurbs: pontos de controle com nós; por pontos: suave por uma grade de pontos.</translation>
+        <source>ruled, extruded, revolved, coons, triangular: of space curves; graph: height by a formula; nurbs: control points with knots; through: smooth through a grid of points.</source>
+        <translation>regrada, extrudada, de revolução, coons, triangular: de curvas no espaço; gráfico: altura por uma fórmula; nurbs: pontos de controle com nós; por pontos: suave por uma grade de pontos.</translation>
     </message>
     <message>
         <source>Use</source>
@@ -5559,8 +5567,8 @@
         <translation>ferramenta: não recebe malha e só corta outras.</translation>
     </message>
     <message>
-        <source>Names of space curves. ruled: v = 0 and v = 1; extruded, revolved: the profile; coons: bottom, top (both along u), left and right (both along v).</source>
-        <translation>Nomes de curvas no espaço. regrada: v = 0 e v = 1; extrudada, de revolução: o perfil; coons: inferior, superior (ambas ao longo de u), esquerda e direita (ambas ao longo de v).</translation>
+        <source>Names of space curves. ruled: v = 0 and v = 1; extruded, revolved: the profile; coons: bottom, top (both along u), left and right (both along v); triangular: three round it, each either way.</source>
+        <translation>Nomes de curvas no espaço. regrada: v = 0 e v = 1; extrudada, de revolução: o perfil; coons: inferior, superior (ambas ao longo de u), esquerda e direita (ambas ao longo de v); triangular: três em volta dela, cada uma em qualquer sentido.</translation>
     </message>
     <message>
         <source>Origin (x, y, z)</source>
@@ -5693,6 +5701,10 @@
     <message>
         <source>coons</source>
         <translation>coons</translation>
+    </message>
+    <message>
+        <source>triangular</source>
+        <translation>triangular</translation>
     </message>
     <message>
         <source>sphere</source>
@@ -6155,8 +6167,32 @@
         <translation>Plano de corte</translation>
     </message>
     <message>
-        <source>The axis that the section plane is square to</source>
-        <translation>O eixo perpendicular ao plano de corte</translation>
+        <source>What the section plane is square to: an axis, or a direction once its rim is dragged</source>
+        <translation>A que o plano de corte é perpendicular: um eixo, ou uma direção depois que sua borda é arrastada</translation>
+    </message>
+    <message>
+        <source>Place of the section plane, a number</source>
+        <translation>Posição do plano de corte, um número</translation>
+    </message>
+    <message>
+        <source>Where the plane stands on the axis; turned, how far from the origin along its normal</source>
+        <translation>Onde o plano fica no eixo; se girado, a distância à origem ao longo de sua normal</translation>
+    </message>
+    <message>
+        <source>The section plane stands from %1 to %2.</source>
+        <translation>O plano de corte fica entre %1 e %2.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back.</source>
+        <translation>Arraste a seta para mover o plano de corte, sua borda para girá-lo; Esc desfaz o arraste.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow: the section plane moves along its normal</source>
+        <translation>Arraste a seta: o plano de corte se move ao longo de sua normal</translation>
+    </message>
+    <message>
+        <source>Drag the rim: the section plane turns about its middle</source>
+        <translation>Arraste a borda: o plano de corte gira em torno de seu meio</translation>
     </message>
     <message>
         <source>Place of the section plane</source>
@@ -6235,6 +6271,14 @@
         <translation>Partes deixadas de fora</translation>
     </message>
     <message>
+        <source>faces of a file are meshed as they are; cracks are of surfaces that a scenario describes</source>
+        <translation>faces de um arquivo são malhadas como estão; trincas são de superfícies que um cenário descreve</translation>
+    </message>
+    <message>
+        <source>this document is of surfaces, whose lines are trims: draw cracks with the crack tool, others in the form</source>
+        <translation>este documento é de superfícies, cujas linhas são recortes: desenhe trincas com a ferramenta de trincas, as outras no formulário</translation>
+    </message>
+    <message>
         <source>faces of a file are meshed whole; parts are of surfaces that a scenario describes</source>
         <translation>faces de um arquivo são malhadas inteiras; partes são de superfícies que um cenário descreve</translation>
     </message>
@@ -6253,6 +6297,354 @@
     <message>
         <source>Charts are those of the first {} of {} surfaces.</source>
         <translation>As cartas são as das primeiras {} de {} superfícies.</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Sólidos</translation>
+    </message>
+    <message>
+        <source>The steps make solids: there is no plane domain before the step `cut` makes one of them.</source>
+        <translation>As etapas fazem sólidos: não há domínio plano antes que a etapa `cut` faça um deles.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Bloco</translation>
+    </message>
+    <message>
+        <source>A box by its three sizes.</source>
+        <translation>Uma caixa por seus três tamanhos.</translation>
+    </message>
+    <message>
+        <source>Prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <source>Over a regular polygon.</source>
+        <translation>Sobre um polígono regular.</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pirâmide</translation>
+    </message>
+    <message>
+        <source>Over a regular polygon, to a point.</source>
+        <translation>Sobre um polígono regular, até um ponto.</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cilindro</translation>
+    </message>
+    <message>
+        <source>Over a polygon that stands for a circle.</source>
+        <translation>Sobre um polígono que representa um círculo.</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cone</translation>
+    </message>
+    <message>
+        <source>Over a polygon that stands for a circle, to a point or a smaller circle.</source>
+        <translation>Sobre um polígono que representa um círculo, até um ponto ou um círculo menor.</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>About its origin, with corners on the sphere.</source>
+        <translation>Em torno de sua origem, com vértices na esfera.</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Toro</translation>
+    </message>
+    <message>
+        <source>A ring about its z axis.</source>
+        <translation>Um anel em torno de seu eixo z.</translation>
+    </message>
+    <message>
+        <source>Extruded profile</source>
+        <translation>Perfil extrudado</translation>
+    </message>
+    <message>
+        <source>A plane contour with holes, moved along a vector.</source>
+        <translation>Um contorno plano com furos, movido ao longo de um vetor.</translation>
+    </message>
+    <message>
+        <source>Profile along a path</source>
+        <translation>Perfil ao longo de um caminho</translation>
+    </message>
+    <message>
+        <source>A plane contour with holes, moved along straight legs with mitred corners.</source>
+        <translation>Um contorno plano com furos, movido por trechos retos com cantos em meia-esquadria.</translation>
+    </message>
+    <message>
+        <source>Turned profile</source>
+        <translation>Perfil de revolução</translation>
+    </message>
+    <message>
+        <source>A contour of (radius, z) turned about the z axis, all the way round or part of it.</source>
+        <translation>Um contorno de (raio, z) girado em torno do eixo z, por inteiro ou em parte.</translation>
+    </message>
+    <message>
+        <source>Solid of a file</source>
+        <translation>Sólido de um arquivo</translation>
+    </message>
+    <message>
+        <source>A solid whose boundary a file holds.</source>
+        <translation>Um sólido cuja fronteira está em um arquivo.</translation>
+    </message>
+    <message>
+        <source>United parts</source>
+        <translation>Peças unidas</translation>
+    </message>
+    <message>
+        <source>What is in any of the parts, as one body.</source>
+        <translation>O que está em alguma das peças, como um só corpo.</translation>
+    </message>
+    <message>
+        <source>Common part</source>
+        <translation>Parte comum</translation>
+    </message>
+    <message>
+        <source>What of the first part is in all the others.</source>
+        <translation>O que da primeira peça está em todas as outras.</translation>
+    </message>
+    <message>
+        <source>Part without others</source>
+        <translation>Peça sem as outras</translation>
+    </message>
+    <message>
+        <source>What of the first part is in none of the others.</source>
+        <translation>O que da primeira peça não está em nenhuma das outras.</translation>
+    </message>
+    <message>
+        <source>Group of parts</source>
+        <translation>Grupo de peças</translation>
+    </message>
+    <message>
+        <source>Parts side by side, each with its material; it is placed and cut as one.</source>
+        <translation>Peças lado a lado, cada uma com seu material; o grupo é posicionado e cortado como uma só.</translation>
+    </message>
+    <message>
+        <source>Placed part</source>
+        <translation>Peça posicionada</translation>
+    </message>
+    <message>
+        <source>Parts scaled, turned and moved, or placed by a matrix; those they are made of stay.</source>
+        <translation>Peças escaladas, giradas e movidas, ou posicionadas por uma matriz; aquelas de que são feitas ficam.</translation>
+    </message>
+    <message>
+        <source>Rounded part</source>
+        <translation>Peça arredondada</translation>
+    </message>
+    <message>
+        <source>All edges and corners of a convex part rounded.</source>
+        <translation>Todas as arestas e vértices de uma peça convexa arredondados.</translation>
+    </message>
+    <message>
+        <source>Section by a plane</source>
+        <translation>Seção por um plano</translation>
+    </message>
+    <message>
+        <source>The section of parts becomes the plane domain: outlines, holes and materials.</source>
+        <translation>A seção das peças torna-se o domínio plano: contornos, furos e materiais.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Peça</translation>
+    </message>
+    <message>
+        <source>What the result is called; later steps name it in `of`, and its faces begin with it.</source>
+        <translation>Como o resultado se chama; etapas posteriores o citam em `of`, e suas faces começam com ele.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Region of the domains that are cut from it; empty: the name of the part.</source>
+        <translation>Região dos domínios cortados dela; vazio: o nome da peça.</translation>
+    </message>
+    <message>
+        <source>At (x, y, z)</source>
+        <translation>Em (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Where its origin is put.</source>
+        <translation>Onde fica sua origem.</translation>
+    </message>
+    <message>
+        <source>Direction in which its z axis is turned; z where left out.</source>
+        <translation>Direção para a qual seu eixo z é girado; z se omitido.</translation>
+    </message>
+    <message>
+        <source>Size (x, y, z)</source>
+        <translation>Tamanho (x, y, z)</translation>
+    </message>
+    <message>
+        <source>From its origin, which is a corner; each above 0.</source>
+        <translation>A partir de sua origem, que é um vértice; cada um maior que 0.</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Lados</translation>
+    </message>
+    <message>
+        <source>Of its base.</source>
+        <translation>De sua base.</translation>
+    </message>
+    <message>
+        <source>From the middle of its base to a corner.</source>
+        <translation>Do meio de sua base até um vértice.</translation>
+    </message>
+    <message>
+        <source>Corners of the polygon that stands for a circle, all of them on it.</source>
+        <translation>Vértices do polígono que representa um círculo, todos sobre ele.</translation>
+    </message>
+    <message>
+        <source>Radius at the top</source>
+        <translation>Raio no topo</translation>
+    </message>
+    <message>
+        <source>0 makes a point.</source>
+        <translation>0 faz um ponto.</translation>
+    </message>
+    <message>
+        <source>From pole to pole.</source>
+        <translation>De polo a polo.</translation>
+    </message>
+    <message>
+        <source>Below the radius.</source>
+        <translation>Menor que o raio.</translation>
+    </message>
+    <message>
+        <source>Corners round the tube.</source>
+        <translation>Vértices em volta do tubo.</translation>
+    </message>
+    <message>
+        <source>Corners of a closed contour.</source>
+        <translation>Vértices de um contorno fechado.</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Furos</translation>
+    </message>
+    <message>
+        <source>Of the profile.</source>
+        <translation>Do perfil.</translation>
+    </message>
+    <message>
+        <source>By (x, y, z)</source>
+        <translation>Por (x, y, z)</translation>
+    </message>
+    <message>
+        <source>How far the profile, which lies in z = 0, is moved.</source>
+        <translation>Quanto o perfil, que está em z = 0, é movido.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Caminho</translation>
+    </message>
+    <message>
+        <source>Points in space that the profile&apos;s origin moves along; corners are mitred.</source>
+        <translation>Pontos no espaço por onde a origem do perfil se move; os cantos são em meia-esquadria.</translation>
+    </message>
+    <message>
+        <source>Corners of a closed contour of (radius, z); sides on the axis make no faces.</source>
+        <translation>Vértices de um contorno fechado de (raio, z); lados no eixo não fazem faces.</translation>
+    </message>
+    <message>
+        <source>In degrees about the z axis, anticlockwise from x.</source>
+        <translation>Em graus em torno do eixo z, anti-horário a partir de x.</translation>
+    </message>
+    <message>
+        <source>Over the whole angle.</source>
+        <translation>Em todo o ângulo.</translation>
+    </message>
+    <message>
+        <source>The boundary of a solid.</source>
+        <translation>A fronteira de um sólido.</translation>
+    </message>
+    <message>
+        <source>Boundaries of solids</source>
+        <translation>Fronteiras de sólidos</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Names of parts that steps before have made; a part may be used more than once.</source>
+        <translation>Nomes de peças que etapas anteriores fizeram; uma peça pode ser usada mais de uma vez.</translation>
+    </message>
+    <message>
+        <source>Scale (x, y, z)</source>
+        <translation>Escala (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Factors about the point `about`, first; negative ones mirror.</source>
+        <translation>Fatores em torno do ponto `about`, primeiro; negativos espelham.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>In degrees, anticlockwise about an axis through the point `about`, second.</source>
+        <translation>Em graus, anti-horário em torno de um eixo pelo ponto `about`, depois.</translation>
+    </message>
+    <message>
+        <source>Axis of the turn</source>
+        <translation>Eixo do giro</translation>
+    </message>
+    <message>
+        <source>z where left out.</source>
+        <translation>z se omitido.</translation>
+    </message>
+    <message>
+        <source>About (x, y, z)</source>
+        <translation>Em torno de (x, y, z)</translation>
+    </message>
+    <message>
+        <source>What stays in its place while scaled and turned.</source>
+        <translation>O que fica no lugar ao escalar e girar.</translation>
+    </message>
+    <message>
+        <source>How far it is moved, last.</source>
+        <translation>Quanto é movido, por último.</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matriz</translation>
+    </message>
+    <message>
+        <source>In place of all that: 16 numbers row by row, applied to columns (x, y, z, 1).</source>
+        <translation>No lugar de tudo isso: 16 números linha por linha, aplicados a colunas (x, y, z, 1).</translation>
+    </message>
+    <message>
+        <source>Of all edges.</source>
+        <translation>De todas as arestas.</translation>
+    </message>
+    <message>
+        <source>Planes by which one face turns into its neighbour; 2 makes chamfers.</source>
+        <translation>Planos pelos quais uma face passa à vizinha; 2 faz chanfros.</translation>
+    </message>
+    <message>
+        <source>In the plane of the section, from start to end; an end on the boundary opens there.</source>
+        <translation>No plano da seção, do início ao fim; uma ponta na fronteira abre-se ali.</translation>
+    </message>
+    <message>
+        <source>Names of parts; the last part where left out.</source>
+        <translation>Nomes de peças; a última se omitido.</translation>
+    </message>
+    <message>
+        <source>a, b, c, d of the plane a x + b y + c z + d = 0; the section is seen from where that is positive.</source>
+        <translation>a, b, c, d do plano a x + b y + c z + d = 0; a seção é vista de onde isso é positivo.</translation>
+    </message>
+    <message>
+        <source>Drawn in the section.</source>
+        <translation>Desenhadas na seção.</translation>
     </message>
 </context>
 </TS>

@@ -363,6 +363,9 @@ void MainWindow::add_panel_action(QDockWidget& panel) {
                                              .text = panel.windowTitle().toStdString(),
                                              .menu = "&View/&Panels",
                                              .section = "panels"});
+  connect(panel.toggleViewAction(), &QAction::triggered, &panel, [&panel](bool shown) {
+    if (shown) panel.raise();  // not behind others of its dock
+  });
 }
 
 bool MainWindow::can_watch() const {

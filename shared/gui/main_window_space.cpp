@@ -57,7 +57,9 @@ void MainWindow::make_space_view() {
   column->addWidget(space_, 1);
   column->addWidget(section_);
   connect(section_, &stage::SectionBar::moved, this,
-          [this](const stage::Section& section) { space_->set_section(section); });
+          [this](const scene::space::Section& section) { space_->set_section(section); });
+  connect(section_, &stage::SectionBar::refused, this, [this](const QString& why) { canvas_->say(why); });
+  connect(space_, &stage::SpaceWidget::section_dragged, section_, &stage::SectionBar::show_section);
   space_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
   space_->set_draggable(part_.space.draggable);
   views_->setChildrenCollapsible(false);
@@ -255,6 +257,7 @@ bool MainWindow::shows_layers(const std::vector<std::string>& keys) const {
 void MainWindow::show_section(bool on) {
   section_->setVisible(on);
   space_->set_section(on ? std::optional(section_->section()) : std::nullopt);
+  if (on) canvas_->say(text("Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back."));
 }
 
 void MainWindow::add_space_switches() {

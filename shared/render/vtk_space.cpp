@@ -367,7 +367,8 @@ class VtkSpace::Impl {
       near = std::min(near, depth);
       far = std::max(far, depth);
     }
-    const double room = std::max(0.02 * (far - near), 1e-6 * std::max(shown_.diagonal(), 1e-300));
+    // With room for what stands round it, such as the frame of a section.
+    const double room = 0.1 * std::max(far - near, std::max(shown_.diagonal(), 1e-300));
     return {near - room, far + room};
   }
 

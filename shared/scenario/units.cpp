@@ -65,6 +65,7 @@ struct Derived {
 constexpr Derived derived_units[] = {
     {"m", 1.0, 0.0, "L"},
     {"m2", 2.0, 0.0, "L2"},
+    {"m3", 3.0, 0.0, "L3"},
     {"N", 0.0, 1.0, "F"},
     {"Pa", -2.0, 1.0, "S"},
     {"N/m", -1.0, 1.0, "F/L"},

@@ -36,13 +36,31 @@ base::Result<void> write_example(const scenario::Program& program, const Folder&
 }
 
 /// What it draws in space.
-base::Result<void> write_space_example(const scenario::Program& program, const Folder& scenario, const Folder& file) {
-  DOBRA_TRY(const scenario::Document document, scenario::read_document(scenario));
+base::Result<void> write_space(const scenario::Program& program, const scenario::Document& document,
+                               const Folder& file) {
   const scenario::Run run = scenario::Runner(program).run(document);
   if (!run.complete()) return *run.error;
   const auto picture = program.space_of(run.states.back());
   DOBRA_CHECK(picture.has_value());
   return cli::draw(*picture, file, cli::Drawer::Cairo);
+}
+
+base::Result<void> write_space_example(const scenario::Program& program, const Folder& scenario, const Folder& file) {
+  DOBRA_TRY(const scenario::Document document, scenario::read_document(scenario));
+  return write_space(program, document, file);
+}
+
+/// A crack on a cylinder, with bands and rosettes.
+base::Result<void> write_bands_on_surface(const Folder& file) {
+  DOBRA_TRY(const scenario::Document document,
+            scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n"
+                                     "[[input.surface]]\nname = \"panel\"\nkind = \"cylinder\"\nradius = 10\n"
+                                     "u = [72, 108]\nv = [0, 8]\n"
+                                     "[[input.trim]]\nname = \"crack\"\nrole = \"crack\"\n"
+                                     "points = [[82, 4], [98, 4]]\nbands = [0.6, 1.2]\nrosette = 0.3\n"
+                                     "[[step]]\noperation = \"mesh\"\nsize = 0.7\n",
+                                     "bands"));
+  return write_space(quebra::core::program(), document, file);
 }
 
 /// Says what went wrong, if anything; how many times something did.
@@ -55,9 +73,9 @@ int failures(const std::string& name, const base::Result<void>& written) {
 int write_all(const Folder& folder, const std::string& ending, const std::string& beginning) {
   int failed = 0;
   const auto asked = [&](const std::string& name) { return name.starts_with(beginning); };
-  for (const auto& family :
-       {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(), mesh_figures(),
-        quality_figures(), surf_figures(), trim_figures(), paper_figures(), import_figures(), free_border_figures()}) {
+  for (const auto& family : {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(),
+                             mesh_figures(), quality_figures(), surf_figures(), trim_figures(), paper_figures(),
+                             import_figures(), free_border_figures(), param_figures()}) {
     for (const Figure& figure : family) {
       if (asked(figure.name)) failed += failures(figure.name, write_figure(figure, folder, ending));
     }
@@ -79,6 +97,8 @@ int write_all(const Folder& folder, const std::string& ending, const std::string
         failures("cracked_shell", write_space_example(quebra::core::program(), examples / "surfaces/cracked_shell.toml",
                                                       folder / "cracked_shell.png"));
   }
+  if (asked("bands_on_surface"))
+    failed += failures("bands_on_surface", write_bands_on_surface(folder / "bands_on_surface.png"));
   return failed;
 }
 

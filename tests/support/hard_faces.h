@@ -9,6 +9,12 @@
 
 namespace dobra::support {
 
+/// An edge in space that bounds the face: no seam, and not one point.
+struct HardEdge {
+  std::size_t a = 0, b = 0;  ///< Vertices; edges that meet in space share them.
+  std::vector<Point3> points;
+};
+
 struct HardFace {
   std::string kind;
   std::string text;   ///< The file.
@@ -16,6 +22,9 @@ struct HardFace {
   std::string wrong = {};
   double area = 0.0;    ///< By rays or a closed form.
   double unsure = 0.0;  ///< Part of the area by which what is meant may differ: gaps, tolerances.
+  std::vector<HardEdge> outline = {};
+  double tolerance = 0.0;  ///< The greatest of its edges, m.
+  int handles = 0;         ///< Of the whole surface: 1 for a torus.
 };
 
 inline constexpr std::uint32_t hard_face_kinds = 30;
@@ -63,6 +72,7 @@ class HardFaceMaker {
                                                      &HardFaceMaker::wave};
     (this->*makers[seed_ % hard_face_kinds])();
     face_.text = brep_text(draft_);
+    add_outline();
     return face_;
   }
 
@@ -75,6 +85,29 @@ class HardFaceMaker {
   }
   int whole(int from, int to) { return from + static_cast<int>(random_() % static_cast<std::uint32_t>(to - from + 1)); }
   double power(double from, double to) { return std::pow(10.0, real(from, to)); }
+
+  void add_outline() {
+    constexpr int samples = 64;
+    const auto& m = draft_.placement;
+    const auto placed = [&](Point3 p) {
+      const auto row = [&](std::size_t i) { return m[i] * p.x + m[i + 1] * p.y + m[i + 2] * p.z + m[i + 3]; };
+      return Point3{row(0), row(4), row(8)};
+    };
+    const double scale = std::sqrt(m[0] * m[0] + m[4] * m[4] + m[8] * m[8]);
+    for (const auto& wire : draft_.wires) {
+      for (const DraftFace::Use& use : wire) {
+        const DraftFace::Edge& edge = draft_.edges[use.edge];
+        if (edge.still || edge.other) continue;
+        HardEdge made{edge.a, edge.b, {}};
+        for (int i = 0; i <= samples; ++i) {
+          const double t = std::lerp(edge.path.from, edge.path.to, static_cast<double>(i) / samples);
+          made.points.push_back(placed(draft_.surface.at(edge.path.at(t)) + edge.aside));
+        }
+        face_.outline.push_back(std::move(made));
+        face_.tolerance = std::max(face_.tolerance, scale * edge.tolerance);
+      }
+    }
+  }
 
   // Surfaces, and a part of their charts for a face.
 
@@ -280,6 +313,7 @@ class HardFaceMaker {
     const std::size_t across = draft_.add_edge({line_path(b, c), line_path(a, d), v, v});
     draft_.wires.push_back({{along, '+'}, {across, '+'}, {along, '-'}, {across, '-'}});
     face_.area = 4.0 * pi * pi * major * minor;
+    face_.handles = 1;
     sound("whole torus");
   }
 

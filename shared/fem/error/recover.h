@@ -5,40 +5,18 @@
 // through a boundary (so not through the lips of a crack), and grows where a boundary leaves it too few samples.
 // Page: docs/algorithms/recover.md. Source: [zienkiewicz1992spr].
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "shared/fem/material.h"
+#include "shared/geom/fit/patch_fit.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::fem::error {
 
-/// Terms of the polynomial: 1 x y | + x2 xy y2 | 1 x y xy | 1 x y x2 xy y2 x2y xy2
-enum class Basis : std::uint8_t { Linear, Quadratic, Bilinear, Serendipity };
-std::size_t term_count(Basis basis);
-
-/// Weighted least squares of polynomials through samples about a centre.
-class PatchFit {
- public:
-  /// @param centre, scale  local coordinates are (p - centre) / scale.
-  /// @param weights        one a point, > 0; empty: all 1.
-  PatchFit(Basis basis, geom::Point centre, double scale, std::span<const geom::Point> points,
-           std::span<const double> weights = {});
-
-  /// False if the points do not determine the polynomial.
-  [[nodiscard]] bool determined() const { return determined_; }
-  /// Multiplied by the samples (one a point), these give the value of the fit at p. @pre determined()
-  [[nodiscard]] std::vector<double> weights_at(geom::Point p) const;
-
- private:
-  Basis basis_;
-  geom::Point centre_;
-  double scale_;
-  bool determined_ = false;
-  std::size_t count_;
-  std::vector<double> inverse_;  ///< terms x points, by rows: from samples to coefficients.
-};
+using geom::fit::Basis;
+using geom::fit::PatchFit;
+using geom::fit::term_count;
 
 struct RecoveredStress {
   /// One an element's node, in the order of mesh.nodes, Pa: equal at a node within a region, different across regions.

@@ -1,49 +1,54 @@
 #pragma once
-// Where the picture in space is cut: across which axis, how far along it, and which side is taken away.
+// Where the picture in space is cut, in numbers: across which axis, how far along it, and which side is taken away. It
+// follows the handle in the picture (section_handle.h).
 
 #include <QWidget>
 
-#include "shared/geom/box3.h"
-#include "shared/scene/space/cut.h"
-#include "shared/scene/space/picture.h"
+#include "shared/scene/space/section.h"
 
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QSlider;
 class QToolButton;
 
 namespace dobra::gui::stage {
-
-/// A plane square to an axis, by parts of the box of the picture.
-struct Section {
-  scene::space::CutAxis axis = scene::space::CutAxis::X;
-  double part = 0.5;
-  bool other_side = false;
-  friend bool operator==(const Section&, const Section&) = default;
-};
 
 class SectionBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit SectionBar(QWidget* parent = nullptr);
-  [[nodiscard]] Section section() const;
+  [[nodiscard]] const scene::space::Section& section() const { return section_; }
   /// Says places along the axes of this picture.
   void show_axes(const scene::space::Axes& axes, const geom::Box3& box);
+  /// What it is from elsewhere; tells nobody.
+  void show_section(const scene::space::Section& section);
 
  signals:
-  void moved(const dobra::gui::stage::Section& section);
+  void moved(const dobra::scene::space::Section& section);
+  /// What was typed is no place of the plane; why.
+  void refused(const QString& why);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void show_all();
   void show_place();
-  void tell();
+  void take_axis(int row);
+  void take_place();
+  void tell(const scene::space::Section& section);
+  [[nodiscard]] QString number(double place) const;
 
   QComboBox* axis_;
-  QSlider* place_;
-  QLabel* where_;
+  QSlider* slider_;
+  QLineEdit* place_;
+  QLabel* unit_;
   QToolButton* side_;
+  scene::space::Section section_;
   scene::space::Axes axes_;
-  geom::Box3 box_;
+  geom::Box3 box_{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
 };
 
 }  // namespace dobra::gui::stage

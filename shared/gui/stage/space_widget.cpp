@@ -27,7 +27,6 @@ constexpr std::size_t thinned_from = 40000;  ///< Cells: so many are stood in fo
 constexpr double unmoved = 1e-6;             ///< Of a pixel: rounding.
 constexpr double least_zoom = 1e-6;          ///< Of what is shown at all, a pixel.
 constexpr double most_zoom = 1.0;
-const scene::Color section_color{0x15, 0x65, 0xc0};
 const scene::Color moving_color{0xd0, 0x10, 0x10};
 
 geom::Point point_of(QPointF pixel) { return {pixel.x(), pixel.y()}; }
@@ -48,6 +47,8 @@ SpaceWidget::SpaceWidget(QWidget* parent) : VtkFrames(parent) {
   setAccessibleDescription(
       text("Arrow keys turn, with Shift they move; + and - zoom, F shows all, 1 to 8 look from the usual sides."));
   setMinimumSize(240, 200);
+  handle_ = new SectionHandle(this, [this] { return space_ != nullptr ? &space_->layout().sheet : nullptr; });
+  connect(this, &SpaceWidget::view_changed, handle_, qOverload<>(&QWidget::update));
   show_cursor();
   connect(&bench_, &frames::Bench::arrived, this, [this] {
     if (const auto pixel = std::exchange(waiting_click_, std::nullopt)) click(*pixel);
@@ -95,16 +96,30 @@ bool SpaceWidget::has_marker() const {
 
 void SpaceWidget::cut_picture() {
   shown_ = picture_;
-  if (!section_ || picture_.layers.empty()) return;
-  const geom::Box3 box = space::extent(picture_);
-  shown_ = space::cut(picture_, space::plane_across(section_->axis, section_->part, box, section_->other_side));
+  if (section_ && !picture_.layers.empty()) {
+    const geom::Box3 box = space::extent(picture_);
+    shown_ = space::cut(picture_, space::plane_of(*section_, box));
+    shown_.extent = box;  // what the plane goes by stays, whatever is hidden
+  }
+  show_handle();
 }
 
-void SpaceWidget::set_section(const std::optional<Section>& section) {
+void SpaceWidget::show_handle() {
+  const bool is_cut = section_ && shown_.extent && !shown_.layers.empty();
+  handle_->show_section(is_cut ? section_ : std::nullopt, shown_.extent.value_or(geom::Box3{}),
+                        picture_.vertical_exaggeration * exaggeration_);
+}
+
+void SpaceWidget::set_section(const std::optional<space::Section>& section) {
   if (std::exchange(section_, section) == section) return;
   cut_picture();
   make_picker();
   show_picture();
+}
+
+void SpaceWidget::move_section(const space::Section& section) {
+  set_section(section);
+  emit section_dragged(section);
 }
 
 void SpaceWidget::make_picker() {
@@ -126,14 +141,13 @@ void SpaceWidget::show_picture() {
   makeCurrent();
   hurry();
   space::SpacePicture shown = shown_;
-  if (section_ && !shown.layers.empty()) {
-    const geom::Box3 box = space::extent(picture_);
+  if (section_ && shown.extent) {
     space::Layer frame;
     frame.key = "space.section";
     frame.style = {.line = section_color, .line_width = 1.2, .dash = scene::Dash::Dashed};
     frame.in_legend = scene::InLegend::No;
     space::Lines line;
-    line.lines = {space::frame_of(space::plane_across(section_->axis, section_->part, box, false), box)};
+    line.lines = {handle_->rim()};
     frame.content = std::move(line);
     shown.layers.push_back(std::move(frame));
   }
@@ -149,6 +163,7 @@ void SpaceWidget::show_picture() {
 
 void SpaceWidget::set_canvas(theme::Canvas canvas) {
   canvas_ = canvas;
+  handle_->set_canvas(canvas);
   if (space_ == nullptr) return;
   makeCurrent();
   space_->set_ground(theme::canvas_colors(canvas_).ground);
@@ -158,7 +173,10 @@ void SpaceWidget::set_canvas(theme::Canvas canvas) {
 }
 
 void SpaceWidget::set_exaggeration(double exaggeration) {
-  if (std::exchange(exaggeration_, exaggeration) == exaggeration || space_ == nullptr) return;
+  if (std::exchange(exaggeration_, exaggeration) == exaggeration) return;
+  show_handle();
+  if (space_ == nullptr) return;
+  if (section_) return show_picture();  // its frame goes by the exaggeration
   makeCurrent();
   hurry();
   space_->set_exaggeration(picture_.vertical_exaggeration * exaggeration_);
@@ -320,7 +338,7 @@ void SpaceWidget::mousePressEvent(QMouseEvent* event) {
   button_ = event->button();
   pressed_ = last_ = event->position();
   gesture_ = !left || hand_ ? Gesture::Pan : Gesture::Press;
-  if (gesture_ == Gesture::Press && !draggable_.empty()) {
+  if (gesture_ == Gesture::Press && !handle_->press(pressed_) && !draggable_.empty()) {
     const auto found = pick_at(pressed_);
     if (found && std::find(draggable_.begin(), draggable_.end(), found->pick.layer) != draggable_.end())
       marker_ = found;
@@ -331,13 +349,14 @@ void SpaceWidget::mousePressEvent(QMouseEvent* event) {
 void SpaceWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   if (gesture_ == Gesture::Press && (at - pressed_).manhattanLength() > click_reach) {
-    gesture_ = marker_ ? Gesture::Marker : Gesture::Orbit;
+    gesture_ = marker_ ? Gesture::Marker : handle_->is_held() ? Gesture::Section : Gesture::Orbit;
     if (marker_) drag_marker(MarkerDrag::Begins, pressed_);
     show_cursor();
   }
   if (gesture_ == Gesture::Orbit) orbit(at - last_);
   if (gesture_ == Gesture::Pan) pan(at - last_);
   if (gesture_ == Gesture::Marker) drag_marker(MarkerDrag::Moves, at);
+  if (gesture_ == Gesture::Section && handle_->is_held()) move_section(handle_->drag(at));
   last_ = at;
   if (gesture_ == Gesture::None) tell_cursor(at);
 }
@@ -347,6 +366,7 @@ void SpaceWidget::mouseReleaseEvent(QMouseEvent* event) {
   const Gesture gesture = gesture_;
   if (gesture == Gesture::Marker) drag_marker(MarkerDrag::Ends, event->position());
   end_gesture();
+  if (gesture == Gesture::Section) tell_cursor(event->position());
   if (gesture == Gesture::Press) click(event->position());
 }
 
@@ -388,17 +408,26 @@ void SpaceWidget::end_gesture() {
   gesture_ = Gesture::None;
   button_ = Qt::NoButton;
   marker_.reset();
+  handle_->let_go();
   if (had_marker) show_marks();
   show_cursor();
 }
 
 void SpaceWidget::tell_cursor(QPointF pixel) {
+  handle_->hover(pixel);
+  show_cursor();
+  if (handle_->hovered()) return emit cursor_moved(handle_->hint());
   if (!picker_) return emit cursor_moved({});
   const auto found = pick_at(pixel);
   emit cursor_moved(found ? words_of(*found) : QString());
 }
 
 void SpaceWidget::show_cursor() {
+  const bool is_free = gesture_ == Gesture::None && !hand_;
+  if (handle_->hovered() && (is_free || gesture_ == Gesture::Section)) {
+    const bool turns = gesture_ == Gesture::Section && handle_->hovered() == space::Grip::Rim;
+    return setCursor(turns ? QCursor(Qt::ClosedHandCursor) : handle_->cursor_over());
+  }
   const bool moves = gesture_ == Gesture::Pan || gesture_ == Gesture::Marker;
   setCursor(moves                        ? Qt::ClosedHandCursor
             : hand_                      ? Qt::OpenHandCursor
@@ -417,7 +446,10 @@ void SpaceWidget::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void SpaceWidget::leaveEvent(QEvent*) { emit cursor_moved({}); }
+void SpaceWidget::leaveEvent(QEvent*) {
+  handle_->hover(std::nullopt);
+  emit cursor_moved({});
+}
 
 void SpaceWidget::keyPressEvent(QKeyEvent* event) {
   const QPointF middle = plot().center();
@@ -433,6 +465,10 @@ void SpaceWidget::keyPressEvent(QKeyEvent* event) {
       hand_ = true;
       return show_cursor();
     case Qt::Key_Escape:
+      if (const auto began = handle_->let_go(); began && gesture_ == Gesture::Section) {
+        end_gesture();
+        return move_section(*began);
+      }
       if (gesture_ != Gesture::Marker) return VtkFrames::keyPressEvent(event);
       drag_marker(MarkerDrag::IsTakenBack, pressed_);
       return end_gesture();

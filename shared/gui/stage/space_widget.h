@@ -9,7 +9,7 @@
 #include <string>
 
 #include "shared/gui/frames/bench.h"
-#include "shared/gui/stage/section_bar.h"
+#include "shared/gui/stage/section_handle.h"
 #include "shared/gui/stage/space_gesture.h"
 #include "shared/gui/stage/vtk_frames.h"
 #include "shared/gui/theme/colors.h"
@@ -39,8 +39,9 @@ class SpaceWidget : public VtkFrames {
   void set_exaggeration(double exaggeration);
 
   /// Cuts what is shown; nothing: all of it is shown. Of the view only.
-  void set_section(const std::optional<Section>& section);
-  [[nodiscard]] const std::optional<Section>& section() const { return section_; }
+  void set_section(const std::optional<scene::space::Section>& section);
+  [[nodiscard]] const std::optional<scene::space::Section>& section() const { return section_; }
+  [[nodiscard]] const SectionHandle& section_handle() const { return *handle_; }
   /// As it is cut, without what stands over it.
   [[nodiscard]] const scene::space::SpacePicture& shown() const { return shown_; }
 
@@ -80,6 +81,8 @@ class SpaceWidget : public VtkFrames {
   /// A marker under way, in the plane of the screen through it.
   void dragged(dobra::gui::stage::MarkerDrag phase, const dobra::scene::space::SpacePick& marker,
                const dobra::geom::Point3& to);
+  /// By its handle in the picture.
+  void section_dragged(const dobra::scene::space::Section& section);
   /// Other points stand in other pixels, or another picture is shown.
   void view_changed();
 
@@ -87,7 +90,7 @@ class SpaceWidget : public VtkFrames {
   std::unique_ptr<render::VtkStage> make_stage(vtkRenderWindow& window) override;
   void stage_made() override;
   void stage_goes() override { space_ = nullptr; }
-  void resized() override {}
+  void resized() override { handle_->resize(size()); }
   [[nodiscard]] scene::Color paper() const override { return theme::canvas_colors(canvas_).ground.paper; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -100,8 +103,10 @@ class SpaceWidget : public VtkFrames {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  enum class Gesture { None, Press, Orbit, Pan, Marker };
+  enum class Gesture { None, Press, Orbit, Pan, Marker, Section };
   void cut_picture();
+  void move_section(const scene::space::Section& section);
+  void show_handle();
   void show_picture();
   /// A picture arrives while a marker is held: that stays in the hand if it is still there.
   [[nodiscard]] bool has_marker() const;
@@ -121,7 +126,8 @@ class SpaceWidget : public VtkFrames {
   theme::Canvas canvas_ = theme::Canvas::Paper;
   scene::space::SpacePicture picture_;
   scene::space::SpacePicture shown_;  ///< It, cut.
-  std::optional<Section> section_;
+  std::optional<scene::space::Section> section_;
+  SectionHandle* handle_;
   double exaggeration_ = 1.0;  ///< Over that of the picture.
   scene::space::Look look_;
   std::optional<geom::Point3> held_;   ///< What it turns about, once it has been moved.

@@ -14,16 +14,19 @@ namespace dobra::gui::welcome {
 base::Result<std::filesystem::path> write_example(const std::string& program, const std::string& file,
                                                   const std::filesystem::path& folder) {
   keep_examples();
-  const QDir compiled(":/examples/" + QString::fromStdString(program));
-  if (!compiled.exists(QString::fromStdString(file)))
+  const std::filesystem::path inside(file);
+  const std::string from = inside.has_parent_path() ? inside.parent_path().string() : program;
+  const QDir compiled(":/examples/" + QString::fromStdString(from));
+  if (!compiled.exists(QString::fromStdString(inside.filename().string())))
     return base::Error{base::ErrorCode::FileNotFound, "the program has no such example", base::Place{file}};
+  const std::filesystem::path to = (folder / inside).parent_path();
   std::error_code ignored;  // a folder that cannot be made is told of by the writing
-  std::filesystem::create_directories(folder, ignored);
+  std::filesystem::create_directories(to, ignored);
   for (const QString& name : compiled.entryList(QDir::Files)) {
     QFile source(compiled.filePath(name));
     if (!source.open(QIODevice::ReadOnly))
       return base::Error{base::ErrorCode::FileNotFound, "the program has no such example", base::Place{file}};
-    DOBRA_TRY_VOID(io::write_file(folder / name.toStdString(), source.readAll().toStdString()));
+    DOBRA_TRY_VOID(io::write_file(to / name.toStdString(), source.readAll().toStdString()));
   }
   return folder / file;
 }

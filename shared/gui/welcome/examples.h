@@ -9,12 +9,13 @@
 namespace dobra::gui::welcome {
 
 struct Example {
-  std::string file;   ///< "fold.toml", in resources/examples/PROGRAM.
+  std::string file;   ///< "fold.toml", in resources/examples/PROGRAM, or with its folder: "surfaces/6.toml".
   std::string title;  ///< English source.
   std::string line;   ///< What it shows, one sentence, English source.
 };
 
-/// Writes all examples of a program, and the files that they name, to `folder`, over what is there.
+/// Writes all examples of the folder that `file` is in, and the files that they name, to `folder`, over what is there;
+/// those of another folder than the program's own to a folder of its name in it.
 /// @return where the example is now.
 /// @error FileNotFound: the program has no such example; CannotWrite.
 base::Result<std::filesystem::path> write_example(const std::string& program, const std::string& file,

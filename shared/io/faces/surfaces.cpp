@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "shared/io/faces/geometry.h"
 
@@ -169,12 +171,56 @@ Result<WholeSurface> whole_extrusion(const brep::Extrusion& extrusion, const bre
   return whole;
 }
 
+/// Where a meridian meets the axis: there the surface is one point.
+Result<std::vector<double>> on_axis(const brep::Revolution& revolution, const CurveRange& range) {
+  constexpr double touches = 1e-9;  // of its distance elsewhere
+  std::vector<double> points;
+  if (!(geom::length(revolution.axis) > 0.0)) return points;  // whoever makes the surface says so
+  const geom::Vector3 axis = geom::normalised(revolution.axis);
+  const auto across = [&](geom::Vector3 from) { return from - dot(from, axis) * axis; };
+  const auto away = [&](geom::Point3 p) { return geom::length(across(p - revolution.at)); };
+  if (const auto* line = std::get_if<brep::Line>(&revolution.of->is)) {
+    const geom::Vector3 out = across(line->along);
+    if (!(dot(out, out) > 0.0)) return points;
+    const double t = -dot(line->at - revolution.at, out) / dot(out, out);
+    const double size = std::max(geom::distance(line->at, revolution.at), geom::length(out));
+    if (away(line->at + t * line->along) <= touches * size) points.push_back(t);
+    return points;
+  }
+  if (!std::isfinite(range.low) || !std::isfinite(range.high)) return points;
+  DOBRA_TRY(const surf::Curve profile, to_curve(*revolution.of, range.low, range.high));
+  constexpr int places = 256, halvings = 100;
+  std::array<double, places + 1> distance{};
+  const auto at = [&](int i) { return std::lerp(range.low, range.high, static_cast<double>(i) / places); };
+  for (int i = 0; i <= places; ++i) distance[i] = away(profile.at(at(i)));
+  const double most = *std::max_element(distance.begin(), distance.end());
+  for (int i = 0; i <= places; ++i) {
+    if ((i > 0 && distance[i - 1] < distance[i]) || (i < places && distance[i + 1] <= distance[i])) continue;
+    double low = at(std::max(i - 1, 0)), high = at(std::min(i + 1, places));
+    for (int k = 0; k < halvings; ++k) {
+      const double third = (high - low) / 3.0;
+      if (away(profile.at(low + third)) <= away(profile.at(high - third)))
+        high -= third;
+      else
+        low += third;
+    }
+    double t = std::midpoint(low, high);
+    for (const double end : {range.low, range.high}) {
+      if (std::abs(t - end) <= touches * (range.high - range.low)) t = end;
+    }
+    const bool again = range.period > 0.0 && t == range.high && !points.empty() && points[0] == range.low;
+    if (!again && away(profile.at(t)) <= touches * most) points.push_back(t);
+  }
+  return points;
+}
+
 Result<WholeSurface> whole_revolution(const brep::Revolution& revolution, const brep::Placement& placement) {
   DOBRA_TRY(const CurveRange range, range_of(*revolution.of));
   WholeSurface whole;
   whole.range = {{0.0, range.low}, {2.0 * pi, range.high}};
   whole.period_u = 2.0 * pi;
   whole.period_v = range.period;
+  DOBRA_TRY(whole.points_v, on_axis(revolution, range));
   whole.over = [revolution, placement](const Box& chart) -> Result<Surface> {
     DOBRA_TRY(const surf::Curve profile, to_curve(*revolution.of, chart.low.y, chart.high.y));
     const bool again = chart.width() > 2.0 * pi * (1.0 + 1e-12);

@@ -67,6 +67,7 @@ class Advancer final : public FillEngine {
                            Kernel::Vertex c) const;
   [[nodiscard]] bool fits_corners(SideId s, const Place& top) const;
   void advance(SideId s);
+  void put(SideId s, const Place& top, double size);
   Kernel::Vertex add_node(const Place& q, double size);
   SideId raise(SideId s, Kernel::Vertex v);
   bool join(SideId s, Kernel::Vertex d);
@@ -525,16 +526,7 @@ void Advancer<Space>::advance(SideId s) {
   if (Space::curved) sampler_.at(top.chart());  // its leaf
   const Found found = look(top, options_.least_spacing * std::max(leg, size), leg, a, b, b);
   if (!found.any) {
-    if (!fits_corners(s, top) || !space_.turns_left(kernel_.point(a), kernel_.point(b), top.chart())) return;
-    const SideId n = raise(s, add_node(top, size));
-    const SideId before = front_.sides[s].previous;
-    if (may_close(before, rules::corner_cosine, rules::least_alpha)) {
-      const SideId closed = close(before);
-      if (closed != none) enqueue(closed);
-    } else {
-      enqueue(s);
-    }
-    if (front_.sides[n].from != Side::free) close_corners(n);
+    put(s, top, size);
     return;
   }
   if (found.vertex == Grid::none) return;
@@ -546,9 +538,36 @@ void Advancer<Space>::advance(SideId s) {
     join(s, found.vertex);
     return;
   }
-  if (!may_close(corner, rules::widest_corner, rules::least_joint)) return;
-  const SideId closed = close(corner);
-  if (closed != none) close_corners(closed);
+  if (may_close(corner, rules::widest_corner, rules::least_joint)) {
+    const SideId closed = close(corner);
+    if (closed != none) close_corners(closed);
+    return;
+  }
+  if constexpr (Space::curved) {
+    // All sides of a ring may be too short for the size wanted: then the row grows less.
+    if (leg <= length) return;
+    const double low = 0.5 * std::numbers::sqrt3 * length;
+    Place over = space_.beside(a, b, low / length * inward);
+    if (!space_.settle(a, b, low, over)) return;
+    size = sampler_.at(over.chart());
+    if (!look(over, options_.least_spacing * length, length, a, b, b).any) put(s, over, size);
+  }
+}
+
+/// A new node over s, unless it does not fit.
+template <class Space>
+void Advancer<Space>::put(SideId s, const Place& top, double size) {
+  const Kernel::Vertex a = front_.sides[s].from, b = front_.to(front_.sides[s]);
+  if (!fits_corners(s, top) || !space_.turns_left(kernel_.point(a), kernel_.point(b), top.chart())) return;
+  const SideId n = raise(s, add_node(top, size));
+  const SideId before = front_.sides[s].previous;
+  if (may_close(before, rules::corner_cosine, rules::least_alpha)) {
+    const SideId closed = close(before);
+    if (closed != none) enqueue(closed);
+  } else {
+    enqueue(s);
+  }
+  if (front_.sides[n].from != Side::free) close_corners(n);
 }
 
 template <class Space>

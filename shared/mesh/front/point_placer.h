@@ -15,11 +15,13 @@
 
 // Notation: h wanted size; R circumradius; a cell is accepted once sqrt(3) R <= accept * h, given up when no point can
 // be put for it; both let the front pass. Active: neither, but beside a marked side or a cell that lets the front pass.
-// 1. Rate all cells; queue the active ones.
+// 1. On a surface: halve the sides of cells over which it turns by more than 60 degrees, whose circles mean nothing.
+//    Rate all cells; queue the active ones.
 // 2. Take the worst active cell; for its active sides, shortest first, compute the ideal point, check that it keeps
 // clear
 //    of vertices and marked sides, insert it; rate the cells round it. If no side gives a point, give the cell up.
-// 3. For cells given up that are still too large, try their circumcentre.
+// 3. For cells given up that are still too large, try their circumcentre, and on a surface the middle of the longest
+//    side.
 
 namespace dobra::mesh::front {
 
@@ -63,6 +65,8 @@ class PointPlacer final : public FillEngine {
   void update_star(Kernel::Vertex v);
   void give_up(Kernel::Cell c);
   bool try_circumcentres();
+  bool halve(Kernel::Cell c);
+  void split_turned();
 
   Kernel& kernel_;
   Space& space_;
@@ -76,7 +80,8 @@ class PointPlacer final : public FillEngine {
   std::vector<Kernel::Cell> cavity_;
   std::priority_queue<Entry> queue_;
   std::size_t inserted_ = 0;
-  int rounds_ = 0;  ///< Of circumcentres tried.
+  double most_cells_ = std::numeric_limits<double>::infinity();  ///< Beyond it the cells do not get better any more.
+  int rounds_ = 0;                                               ///< Of circumcentres tried.
   bool done_ = false;
 };
 
@@ -90,8 +95,45 @@ PointPlacer<Space>::PointPlacer(Kernel& kernel, Space& space, const sizing::Size
   ratio_.reserve(expected);
   version_.reserve(expected);
   visited_.reserve(expected);
+  if constexpr (Space::curved) {
+    space.coarse();
+    most_cells_ = initial + 4.0 * space.estimated_triangles(field) + 10'000.0;
+    kernel.legalise_all();
+  }
   for (Kernel::Cell c = 0; c < initial; ++c) rate(c);
   for (Kernel::Cell c = 0; c < initial; ++c) enqueue(c);
+  if constexpr (Space::curved) split_turned();
+}
+
+/// A node in the middle of the side that is longest in the chart, if it is longer than the size wanted.
+template <class Space>
+bool PointPlacer<Space>::halve(Kernel::Cell c) {
+  constexpr double longest = 1.5;  // of the size wanted
+  const auto chart_length = [&](std::uint32_t i) {
+    const Kernel::Half e = Kernel::half(c, i);
+    return geom::distance(kernel_.point(kernel_.origin(e)), kernel_.point(kernel_.target(e)));
+  };
+  std::uint32_t side = chart_length(0) >= chart_length(1) ? 0 : 1;
+  if (chart_length(2) > chart_length(side)) side = 2;
+  const Kernel::Half e = Kernel::half(c, side);
+  const Kernel::Vertex from = kernel_.origin(e), to = kernel_.target(e);
+  Place middle = space_.between(from, to, 0.5);
+  if (kernel_.mark(e) != 0 || !space_.ground(middle)) return false;
+  const double way = geom::distance(space_.at(from), middle.at) + geom::distance(middle.at, space_.at(to));
+  return way > longest * sizes_.at(middle.chart()) && try_point(middle, c);
+}
+
+template <class Space>
+void PointPlacer<Space>::split_turned() {
+  for (std::size_t before = inserted_ + 1; inserted_ != before;) {
+    before = inserted_;
+    const auto count = static_cast<Kernel::Cell>(kernel_.cell_count());
+    if (count > most_cells_) return;
+    for (Kernel::Cell c = 0; c < count; ++c) {
+      const auto [a, b, d] = kernel_.cell(c).vertex;
+      if (kernel_.cell(c).region >= 0 && space_.turns(a, b, d)) halve(c);
+    }
+  }
 }
 
 template <class Space>
@@ -285,7 +327,11 @@ bool PointPlacer<Space>::try_circumcentres() {
   for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
     if (state_[c] != State::GivenUp) continue;
     const auto [a, b, d] = kernel_.cell(c).vertex;
-    try_point(space_.in_plane(a, b, d, to_centre(a, b, d)), c);
+    const bool placed = try_point(space_.in_plane(a, b, d, to_centre(a, b, d)), c);
+    // Needles have their centres far away.
+    if constexpr (Space::curved) {
+      if (!placed) halve(c);
+    }
   }
   return inserted_ > before;
 }
@@ -301,8 +347,12 @@ base::Result<void> PointPlacer<Space>::step(std::size_t count, const base::Progr
     if (entry.version != version_[entry.cell] || state_[entry.cell] != State::Large) continue;
     if (!advance(entry.cell)) give_up(entry.cell);
     DOBRA_TRY_VOID(check_limit(kernel_.cell_count(), options_));
+    if (static_cast<double>(kernel_.cell_count()) > most_cells_) {
+      done_ = true;  // they fold: whoever asked for the mesh finds it so
+      return {};
+    }
   }
-  constexpr int most_rounds = 8;
+  constexpr int most_rounds = Space::curved ? 32 : 8;
   if (queue_.empty()) done_ = rounds_++ == most_rounds || !try_circumcentres();
   return {};
 }

@@ -1,5 +1,7 @@
 #include "shared/scene/space/cut.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dobra::scene::space {
@@ -174,13 +176,35 @@ CutPlane plane_across(CutAxis axis, double part, const geom::Box3& box, bool oth
 }
 
 std::vector<Point3> frame_of(const CutPlane& plane, const geom::Box3& box) {
-  const Point3& p = plane.through;
-  const Point3 &a = box.low, &b = box.high;
-  if (plane.normal.x != 0.0)
-    return {{p.x, a.y, a.z}, {p.x, b.y, a.z}, {p.x, b.y, b.z}, {p.x, a.y, b.z}, {p.x, a.y, a.z}};
-  if (plane.normal.y != 0.0)
-    return {{a.x, p.y, a.z}, {b.x, p.y, a.z}, {b.x, p.y, b.z}, {a.x, p.y, b.z}, {a.x, p.y, a.z}};
-  return {{a.x, a.y, p.z}, {b.x, a.y, p.z}, {b.x, b.y, p.z}, {a.x, b.y, p.z}, {a.x, a.y, p.z}};
+  const Height height(plane);
+  const auto corner = [&](int i) {
+    return Point3{(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+                  (i & 4) != 0 ? box.high.z : box.low.z};
+  };
+  std::vector<Point3> rim;
+  const auto add = [&rim](const Point3& p) {
+    if (std::find(rim.begin(), rim.end(), p) == rim.end()) rim.push_back(p);
+  };
+  int nearest = 0;
+  for (int i = 0; i < 8; ++i) {
+    if (std::abs(height(corner(i))) < std::abs(height(corner(nearest)))) nearest = i;
+    if (height(corner(i)) == 0.0) add(corner(i));
+    for (const int side : {1, 2, 4}) {
+      if ((i & side) != 0 || height(corner(i)) * height(corner(i | side)) >= 0.0) continue;
+      add(between(corner(i), corner(i | side), height.meeting(corner(i), corner(i | side))));
+    }
+  }
+  if (rim.empty()) rim.push_back(corner(nearest));  // the plane passes the box by
+  // In their order round the middle.
+  geom::Vector3 sum{};
+  for (const Point3& p : rim) sum = sum + (p - rim.front());
+  const Point3 middle = rim.front() + sum / static_cast<double>(rim.size());
+  const geom::Vector3 first = rim.front() - middle;
+  const geom::Vector3 second = geom::cross(plane.normal / geom::length(plane.normal), first);
+  const auto turn = [&](const Point3& p) { return std::atan2(dot(p - middle, second), dot(p - middle, first)); };
+  std::sort(rim.begin(), rim.end(), [&](const Point3& a, const Point3& b) { return turn(a) < turn(b); });
+  rim.push_back(rim.front());
+  return rim;
 }
 
 SpacePicture cut(const SpacePicture& picture, const CutPlane& plane) {

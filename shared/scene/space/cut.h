@@ -17,7 +17,8 @@ enum class CutAxis { X, Y, Z };
 /// Square to an axis, at `part` of the box from its low end to its high one. @pre the box is not empty
 CutPlane plane_across(CutAxis axis, double part, const geom::Box3& box, bool other_side);
 
-/// The four sides of a plane square to an axis, in the box: a closed line. @pre as made by plane_across
+/// The sides of the part of a plane that is in the box: a closed line of three to six sides; fewer where the plane
+/// touches the box alone, the nearest corner where it does not meet it. @pre the box is not empty
 std::vector<geom::Point3> frame_of(const CutPlane& plane, const geom::Box3& box);
 
 /// A picture that shows as much of space as before. Of a surface KEY the line of the cut is a layer KEY.cut, whose

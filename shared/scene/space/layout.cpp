@@ -128,7 +128,8 @@ class Maker {
     Point page_from, page_to;
   };
 
-  /// Of the four edges along an axis, the lowest on the page, of z the leftmost: nothing of the picture is before it.
+  /// Of the four edges along an axis, the lowest on the page, of equals the right one, but the left one where they
+  /// stand upright; of z the leftmost: nothing of the picture is before it.
   [[nodiscard]] std::optional<PageEdge> edge_along(int axis) const {
     std::optional<PageEdge> best;
     double best_score = 0.0;
@@ -144,7 +145,9 @@ class Maker {
       edge.page_from = from->at;
       edge.page_to = to->at;
       const Point middle = geom::midpoint(from->at, to->at);
-      const double score = axis == 2 ? -middle.x + 1e-3 * middle.y : middle.y - 1e-3 * middle.x;
+      const bool upright = std::abs(to->at.x - from->at.x) < 1e-6 * std::abs(to->at.y - from->at.y);
+      const double right = upright ? -1e-3 : 1e-3;
+      const double score = axis == 2 ? -middle.x + 1e-3 * middle.y : middle.y + right * middle.x;
       if (!best || score > best_score + 1e-9) {
         best = edge;
         best_score = score;
@@ -203,7 +206,7 @@ class Maker {
     const auto beside = [&](Point at, const TextSize& size, double off) {
       return at + (off + 0.5 * (std::abs(out.x) * size.width + std::abs(out.y) * size.height())) * out;
     };
-    for (const Tick& tick : ticks_that_fit(low / unit, high / unit, length, 8.0, 30.0, room)) {
+    for (const Tick& tick : ticks_that_fit(low / unit, high / unit, length, 8.0, 20.0, room)) {
       Point3 world = edge.from;
       coordinate(world, axis) = std::clamp(tick.value * unit, low, high);
       const auto seen = project(sheet_, world);

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <queue>
 #include <unordered_map>
 
 #include "shared/surf/measure.h"
+#include "shared/surf/mesh/chart_sizes.h"
 
 namespace dobra::surf::mesh {
 
@@ -48,37 +50,117 @@ std::vector<Piece> pieces_of(const Border& border) {
 
 namespace {
 
-/// The size that the bend of curve and surface allows at a place.
-double allowed_by_bend(const EdgeInSpace& edge, double s, const SizeOptions& sizes) {
-  double bend = 0.0;
-  const EdgeInSpace::Jet c = edge.jet(s);
-  const double speed = geom::length(c.first);
-  if (speed > 0.0) bend = geom::length(cross(c.first, c.second)) / (speed * speed * speed);
-  if (const auto k = curvature(edge.surface().jet(edge.place(s)))) {
-    bend = std::max({bend, std::abs(k->least), std::abs(k->greatest)});
-  }
+/// The size that a curvature allows, 1/m.
+double allowed_by(double bend, const SizeOptions& sizes) {
   if (!(bend > 0.0) || !std::isfinite(bend)) return std::numeric_limits<double>::infinity();
   double size = sizes.turn * std::numbers::pi / 180.0 / bend;
   if (sizes.chord > 0.0) size = std::min(size, std::sqrt(6.0 * sizes.chord / bend));  // of an equilateral triangle
   return size;
 }
 
+double greatest_bend(const surf::Jet& jet) {
+  const auto k = curvature(jet);
+  return k ? std::max(std::abs(k->least), std::abs(k->greatest)) : 0.0;
+}
+
+/// The size that the bend of curve and surface allows at a place.
+double allowed_by_bend(const EdgeInSpace& edge, double s, const SizeOptions& sizes) {
+  double bend = greatest_bend(edge.surface().jet(edge.place(s)));
+  const EdgeInSpace::Jet c = edge.jet(s);
+  const double speed = geom::length(c.first);
+  if (speed > 0.0) bend = std::max(bend, geom::length(cross(c.first, c.second)) / (speed * speed * speed));
+  return allowed_by(bend, sizes);
+}
+
+/// What is wanted along an edge at a parameter: by its bend and the surface's, by a formula, and by the bends of the
+/// surface beside it, from which sizes grow.
+class Wishes {
+ public:
+  Wishes(const BorderEdge& edge, const SizeOptions& sizes, double largest)
+      : space_(edge.space), both_sides_(edge.line.has_value()), sizes_(sizes), largest_(largest) {}
+
+  [[nodiscard]] double at(double s) const {
+    const double own =
+        std::min({largest_, allowed_by_bend(space_, s, sizes_), sizes_.wanted_at(space_.place(s), space_.at(s))});
+    double size = beside(s, own, 1.0);
+    if (both_sides_) size = std::min(size, beside(s, own, -1.0));
+    return std::max(size, sizes_.least);
+  }
+
+ private:
+  /// @param side  1: to the left, where the face is
+  [[nodiscard]] double beside(double s, double own, double side) const {
+    constexpr std::array steps{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};  // of the size
+    const Surface& surface = space_.surface();
+    const Point uv = space_.place(s);
+    const surf::Jet jet = surface.jet(uv);
+    const Metric m = metric(jet);
+    const double det = m.e * m.g - m.f * m.f;
+    const Vector3 left = side * cross(cross(jet.u, jet.v), space_.jet(s).first);
+    const double long_left = geom::length(left);
+    if (!(det > 0.0) || !(long_left > 0.0) || !std::isfinite(long_left)) return own;
+    const double along_u = dot(left, jet.u) / long_left, along_v = dot(left, jet.v) / long_left;
+    const geom::Vector way{(m.g * along_u - m.f * along_v) / det, (m.e * along_v - m.f * along_u) / det};
+    double size = own;
+    for (const double step : steps) {
+      const Point there = uv + step * own * way;
+      if (!surface.chart().contains(there)) break;
+      const surf::Jet inside = surface.jet(there);
+      const double wanted = std::min(allowed_by(greatest_bend(inside), sizes_), sizes_.wanted_at(there, inside.at));
+      size = std::min(size, wanted + (sizes_.growth - 1.0) * step * own);
+    }
+    return size;
+  }
+
+  const EdgeInSpace& space_;
+  const bool both_sides_;
+  const SizeOptions& sizes_;
+  const double largest_;
+};
+
+/// Samples a quarter of the largest size apart; between two of them more, while they are farther apart than their size.
 Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions& sizes, double largest) {
   constexpr double samples_a_side = 4.0;
+  constexpr std::size_t most_samples = 20'000;
+  constexpr int most_halvings = 6;
   const EdgeInSpace& space = edge.space;
+  const Wishes wishes(edge, sizes, largest);
   const double from = space.travelled(piece.s0);
   const double length = space.travelled(piece.s1) - from;
-  const auto count = static_cast<std::size_t>(std::clamp(std::ceil(samples_a_side * length / largest), 16.0, 20000.0));
+  const auto count = static_cast<std::size_t>(
+      std::clamp(std::ceil(samples_a_side * length / largest), 16.0, static_cast<double>(most_samples)));
   Profile profile;
-  for (std::size_t i = 0; i <= count; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(count);
-    const double s = i == count ? piece.s1 : i == 0 ? piece.s0 : std::lerp(piece.s0, piece.s1, part);
+  const auto add = [&](double s, double size) {
     profile.s.push_back(s);
     // Never backwards, as quadrature over a kink may have it.
-    profile.travelled.push_back(std::max(space.travelled(s) - from, i == 0 ? 0.0 : profile.travelled.back()));
-    profile.size.push_back(
-        std::max(std::min({largest, allowed_by_bend(space, s, sizes), sizes.wanted_at(space.place(s), space.at(s))}),
-                 sizes.least));
+    const double before = profile.travelled.empty() ? 0.0 : profile.travelled.back();
+    profile.travelled.push_back(std::max(space.travelled(s) - from, before));
+    profile.size.push_back(size);
+  };
+  struct Sample {
+    double s, size;
+    int level;
+  };
+  std::vector<Sample> after;  // the next one last
+  for (std::size_t i = count + 1; i-- > 0;) {
+    const double part = static_cast<double>(i) / static_cast<double>(count);
+    const double s = i == count ? piece.s1 : i == 0 ? piece.s0 : std::lerp(piece.s0, piece.s1, part);
+    after.push_back({s, wishes.at(s), 0});
+  }
+  std::size_t left = most_samples - std::min(most_samples, count);
+  while (!after.empty()) {
+    const Sample next = after.back();
+    const double gap = profile.s.empty() ? 0.0 : space.travelled(next.s) - from - profile.travelled.back();
+    if (left > 0 && next.level < most_halvings && !profile.s.empty() &&
+        gap > 0.5 * std::min(next.size, profile.size.back())) {
+      const double s = std::midpoint(profile.s.back(), next.s);
+      after.back().level = next.level + 1;
+      after.push_back({s, wishes.at(s), next.level + 1});
+      --left;
+      continue;
+    }
+    after.pop_back();
+    add(next.s, next.size);
   }
   return profile;
 }

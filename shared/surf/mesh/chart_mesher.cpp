@@ -4,17 +4,20 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "shared/base/check.h"
+#include "shared/geom/predicates.h"
 #include "shared/mesh/delaunay/planar_domain.h"
 #include "shared/mesh/front/front_engine.h"
 #include "shared/mesh/front/smoother.h"
 #include "shared/surf/mesh/chart_space.h"
 #include "shared/surf/mesh/tidy.h"
-#include "shared/surf/trim/open.h"
+#include "shared/surf/mesh/tips.h"
+#include "shared/surf/trim/finding.h"
 
 namespace dobra::surf::mesh {
 
@@ -67,25 +70,12 @@ Error unscaled(Error error, const ScaledChart& chart) {
   return error;
 }
 
-/// Where points that stand alone are at a tip of the surface.
-std::vector<geom::Point3> tips_of(const ChartInput& input) {
-  std::vector<std::uint8_t> on_edge(input.chart.points.size(), 0);
-  for (const auto& edge : input.chart.edges) {
-    for (const NodeId node : edge.nodes) on_edge[node.index()] = 1;
-  }
-  const double radius = 0.5 * geom::box_of(input.chart.points).diagonal();
-  std::vector<geom::Point3> tips;
-  for (std::size_t p = 0; p < on_edge.size(); ++p) {
-    if (on_edge[p] == 0 && trim::has_tip(input.surface, input.chart.points[p], radius)) tips.push_back(input.at[p]);
-  }
-  return tips;
-}
-
 }  // namespace
 
 struct ChartMesher::State {
   ChartInput input;
   ChartMeshOptions options;
+  std::vector<Tip> tips;
   ScaledChart chart;
   MeshInput scaled_input;
   PlanarDomain domain;
@@ -96,6 +86,25 @@ struct ChartMesher::State {
   Stage stage = Stage::Filling;
 
   Result<void> prepare(const Progress& progress);
+  /// With the place where sizes are least.
+  [[nodiscard]] Error too_many() const {
+    const auto& tree = sizes->field.quadtree();
+    double least = std::numeric_limits<double>::infinity();
+    geom::Point at = geom::box_of(scaled_input.points).centre();
+    for (const auto leaf : tree.leaves()) {
+      if (!(sizes->triangles[leaf.index()] != 0.0)) continue;
+      const auto corners = sizes->field.corner_sizes(leaf);
+      const double size = *std::min_element(corners.begin(), corners.end());
+      if (size >= least) continue;
+      least = size;
+      at = tree.box(leaf).centre();
+    }
+    return {ErrorCode::TooManyElements,
+            fmt::format("the mesh would have more than {} triangles, the least of them here: use a greater size, turn "
+                        "or growth, trim this part of the surface away, or raise the limit",
+                        options.points.max_triangles),
+            trim::place_of(input.surface, chart.held(at))};
+  }
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
     std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
@@ -133,15 +142,14 @@ Result<void> ChartMesher::State::prepare(const Progress& progress) {
       sides.push_back({{kernel.point(a), kernel.point(b)}, geom::distance(at[a], at[b])});
     }
   }
-  const std::vector<geom::Point3> tips = tips_of(input);
   DOBRA_TRY(ChartSizes found,
             chart_sizes(chart, sides, scaled_input.sizes, tips, options.sizes, progress.part(0.5, 1.0)));
   sizes = std::move(found);
   space = ChartSpace(chart, *sizes, kernel);
   for (Kernel::Vertex v = 0; v < given; ++v) space.enter(v, at[v]);
   constexpr double doubtful = 1.25;
-  if (space.expected_triangles() > doubtful * static_cast<double>(options.points.max_triangles))
-    return dobra::mesh::front::check_limit(options.points.max_triangles + 1, options.points);
+  // Nor where a size is no number.
+  if (!(space.expected_triangles() <= doubtful * static_cast<double>(options.points.max_triangles))) return too_many();
   space.rule();
   return {};
 }
@@ -152,7 +160,8 @@ ChartMesher::ChartMesher(std::unique_ptr<State> state) : state_(state.release())
 Result<ChartMesher> ChartMesher::start(const ChartInput& input, const ChartMeshOptions& options,
                                        const Progress& progress) {
   DOBRA_TRY_VOID(validate(input, options));
-  auto state = std::make_unique<State>(State{input, options, {}, {}, {}, {}, {}});
+  Tips tips = with_wheels(input, options.sizes, largest_size(input.surface, options.sizes));
+  auto state = std::make_unique<State>(State{std::move(tips.input), options, std::move(tips.tips), {}, {}, {}, {}, {}});
   State& s = *state;
   DOBRA_TRY_VOID(s.prepare(progress.part(0.0, 0.1)));
   s.engine = std::make_unique<FrontEngine<ChartSpace>>(s.domain.kernel, s.space, s.sizes->field, s.options.points);
@@ -225,14 +234,17 @@ FaceMesh ChartMesher::mesh() const {
 
 namespace {
 
-/// Triangles that look against the surface at their middle, with the first of them, and those that are nearly flat
-/// though no sharp corner makes them so: with an angle beyond 120 degrees.
+/// Triangles that look against the surface at their middle or are far longer than asked, with the first of them, and
+/// those that are nearly flat though no sharp corner makes them so: with an angle beyond 120 degrees.
 struct Faults {
-  std::size_t folded = 0, flat = 0;
+  std::size_t folded = 0, stray = 0, flat = 0;
   geom::Point first;
+  [[nodiscard]] std::size_t grave() const { return folded + stray; }
 };
 
-Faults faults_of(const FaceMesh& face, const Surface& surface) {
+/// @param largest  the size asked for, m
+Faults faults_of(const FaceMesh& face, const Surface& surface, double largest) {
+  constexpr double far_longer = 4.0;
   constexpr double none = 1e-9;     // of the sides: where two corners are one node at a pole there is no area
   constexpr double flattest = 0.1;  // alpha
   Faults faults;
@@ -244,14 +256,22 @@ Faults faults_of(const FaceMesh& face, const Surface& surface) {
     const std::array<double, 3> squares{dot(u, u), dot(v, v), dot(w, w)};
     const double longest = *std::max_element(squares.begin(), squares.end());
     const double sum = squares[0] + squares[1] + squares[2];
+    const geom::Point middle = geom::Point{} + (place(0) + place(1) + place(2)) / 3.0;
+    // Rounding from the scaled chart to that of the surface may turn a sliver round.
+    const auto in_chart = [&](std::size_t i) { return face.chart.points[corners[i].index()]; };
+    if (geom::orient2d(in_chart(0), in_chart(1), in_chart(2)) != geom::Sign::Positive) {
+      if (faults.folded++ + faults.stray == 0) faults.first = middle;
+      continue;
+    }
+    if (longest > far_longer * far_longer * largest * largest && faults.stray++ + faults.folded == 0)
+      faults.first = middle;
     if (length(area) <= none * longest) continue;
     // Beyond 120 degrees: a^2 > b^2 + c^2 + b c, and b c is (b^2 + c^2) / 2 at most.
     const bool obtuse = longest > 1.5 * (sum - longest);
     if (obtuse && 2.0 * std::numbers::sqrt3 * length(area) < flattest * sum) ++faults.flat;
-    const geom::Point middle = geom::Point{} + (place(0) + place(1) + place(2)) / 3.0;
     const auto normal = surf::normal(surface, middle);
     if (!normal || dot(*normal, area) >= 0.0) continue;
-    if (faults.folded++ == 0) faults.first = middle;
+    if (faults.folded++ + faults.stray == 0) faults.first = middle;
   }
   return faults;
 }
@@ -261,25 +281,32 @@ Faults faults_of(const FaceMesh& face, const Surface& surface) {
 Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& options, const Progress& progress) {
   constexpr std::size_t between_checks = 8192;
   ChartMeshOptions own = options;
+  own.sizes.largest = largest_size(input.surface, options.sizes);
+  double largest = own.sizes.largest;  // or a side that was given
+  for (const auto& edge : input.chart.edges)
+    largest = std::max(largest, geom::distance(input.at[edge.nodes[0].index()], input.at[edge.nodes[1].index()]));
   std::optional<FaceMesh> best;
   Faults fewest;
-  for (int attempt = 0; attempt <= options.attempts; ++attempt) {
+  for (int attempt = 0; attempt <= options.attempts || (best && fewest.grave() > 0 && attempt <= options.unfolding);
+       ++attempt) {
     DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, own, progress));
     while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
     FaceMesh made = mesher.mesh();
-    const Faults faults = faults_of(made, input.surface);
-    if (!best || std::pair(faults.folded, faults.flat) < std::pair(fewest.folded, fewest.flat)) {
+    const Faults faults = faults_of(made, input.surface, largest);
+    if (!best || std::pair(faults.grave(), faults.flat) < std::pair(fewest.grave(), fewest.flat)) {
       best = std::move(made);
       fewest = faults;
     }
     const bool large = best->chart.triangles.size() > options.large;
-    if (fewest.folded == 0 && (fewest.flat == 0 || large)) break;
+    if (fewest.grave() == 0 && (fewest.flat == 0 || large)) break;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }
-  if (fewest.folded == 0) return *std::move(best);
+  if (fewest.grave() == 0) return *std::move(best);
   const geom::Point3 p = input.surface.at(fewest.first);
-  return Error{ErrorCode::CannotMesh, "the mesh folds over itself here: use another size, or smaller ones",
+  return Error{ErrorCode::CannotMesh,
+               fewest.folded > 0 ? "the mesh folds over itself here: use another size, or smaller ones"
+                                 : "a triangle here is far longer than the size asked for: use another size",
                base::Place{.x = p.x, .y = p.y, .z = p.z, .u = fewest.first.x, .v = fewest.first.y}};
 }
 

@@ -26,6 +26,7 @@ struct ChartMeshOptions {
   /// Where a mesh folds in space or has flat triangles, mesh_chart begins again with sizes inside that are smaller by
   /// this, so often, and takes the best.
   int attempts = 2;
+  int unfolding = 5;  ///< So often where it folds: then there is no mesh at all.
   double smaller = 0.93;
   /// Meshes of more triangles have one round before `tidy` and one after it, their nodes rest within twice
   /// `smoothing.least_step`, and mesh_chart does not begin again for flat triangles.

@@ -6,6 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "shared/surf/mesh/tips.h"
+#include "shared/surf/trim/finding.h"
+
 namespace dobra::surf::mesh {
 
 using base::Error;
@@ -47,16 +50,16 @@ struct Sample {
 class Builder {
  public:
   Builder(const ScaledChart& chart, const SizeOptions& options, double largest, const geom::Box& box,
-          std::span<const geom::Point3> tips)
+          std::span<const Tip> tips)
       : chart_(chart), options_(options), largest_(largest), box_(box), tips_(tips) {}
 
   /// Of what shape and formula ask, the least at a place of the scaled chart, where `jet` is.
   [[nodiscard]] double size(Point p, const Jet& jet) const {
     double by_shape = size_by_shape(jet, options_);
-    constexpr double seen = 0.01;  // of the largest size
-    for (const geom::Point3 tip : tips_) {
-      const double distance = geom::distance(tip, jet.at);
-      if (distance < seen * largest_) by_shape *= seen * largest_ / std::max(distance, 1e-12 * largest_);
+    for (const Tip& tip : tips_) {
+      const double distance = geom::distance(tip.at, jet.at);
+      if (distance < tip_seen * largest_) by_shape *= tip_seen * largest_ / std::max(distance, 1e-12 * largest_);
+      by_shape = std::min(by_shape, tip.size + tip_growth * distance);
     }
     return std::max(options_.least, std::min({largest_, by_shape, options_.wanted_at(chart_.unscaled(p), jet.at)}));
   }
@@ -109,7 +112,7 @@ class Builder {
   const SizeOptions& options_;
   const double largest_;
   const geom::Box box_;
-  const std::span<const geom::Point3> tips_;
+  const std::span<const Tip> tips_;
 };
 
 /// Levels of the tree before its cells are looked at: each piece of the surface is seen.
@@ -151,15 +154,24 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
   const std::uint32_t look = first_look(chart.surface());
   const auto badly = [&](QuadCellId id) { return builder.follows_badly(tree, id, look); };
   if (!tree.refine_where(badly, tree.cell_count() + most_cells)) {
+    const auto leaves = tree.leaves();
+    const auto deepest = std::max_element(leaves.begin(), leaves.end(), [&](QuadCellId a, QuadCellId b) {
+      return tree.cell(a).level < tree.cell(b).level;
+    });
     return Error{ErrorCode::TooManyElements,
-                 "the sizes that the curvature asks for are too small, or change too fast, for a tree of two million "
-                 "cells: use a greater turn or chord, or give a least size"};
+                 "the sizes that the curvature asks for are too small here, or change too fast, for a tree of two "
+                 "million cells: use a greater turn or chord, or trim this part of the surface away",
+                 trim::place_of(chart.surface(), chart.held(tree.box(*deepest).centre()))};
   }
   tree.balance();
   return tree;
 }
 
 }  // namespace
+
+double largest_size(const Surface& surface, const SizeOptions& options) {
+  return options.largest > 0.0 ? options.largest : surface.size() / 20.0;
+}
 
 double size_by_shape(const Jet& jet, const SizeOptions& options) {
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -175,9 +187,8 @@ double size_by_shape(const Jet& jet, const SizeOptions& options) {
 }
 
 Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
-                               std::span<const dobra::mesh::delaunay::SizeRequest> requests,
-                               std::span<const geom::Point3> tips, const SizeOptions& options,
-                               const base::Progress& progress) {
+                               std::span<const dobra::mesh::delaunay::SizeRequest> requests, std::span<const Tip> tips,
+                               const SizeOptions& options, const base::Progress& progress) {
   DOBRA_TRY_VOID(validate(requests, options));
   geom::Box box;
   std::vector<SizedEdge> edges;
@@ -185,7 +196,7 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     edges.push_back({side.chart, {}});
     box.add(side.chart.box());
   }
-  const double largest = options.largest > 0.0 ? options.largest : chart.surface().size() / 20.0;
+  const double largest = largest_size(chart.surface(), options);
   const Builder builder(chart, options, largest, box, tips);
   DOBRA_TRY(Quadtree tree, tree_of(chart, builder, edges, requests, options));
   DOBRA_TRY_VOID(progress.check());

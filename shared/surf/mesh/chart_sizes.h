@@ -10,6 +10,7 @@
 #include "shared/mesh/front/space.h"
 #include "shared/surf/mesh/chart_input.h"
 #include "shared/surf/mesh/scaled_chart.h"
+#include "shared/surf/mesh/tips.h"
 
 namespace dobra::surf::mesh {
 
@@ -32,9 +33,11 @@ struct ChartSizes {
 /// @cost  some jets of the surface for each cell.
 base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
                                      std::span<const dobra::mesh::delaunay::SizeRequest> requests,
-                                     std::span<const geom::Point3> tips, const SizeOptions& options,
+                                     std::span<const Tip> tips, const SizeOptions& options,
                                      const base::Progress& progress = {});
 
+/// L of the options, or a twentieth of the surface.
+double largest_size(const Surface& surface, const SizeOptions& options);
 /// The size that the shape of the surface asks for: by turn and chord; infinite where it is flat, or has no normal.
 double size_by_shape(const Jet& jet, const SizeOptions& options);
 

@@ -150,6 +150,18 @@ double least_angle_cosine(geom::Point3 a, geom::Point3 b, geom::Point3 c) {
 }  // namespace
 
 bool ChartSpace::flips(Vertex a, Vertex b, Vertex c, Vertex d) const {
+  const geom::Point qa = kernel_->point(a), qb = kernel_->point(b), qc = kernel_->point(c), qd = kernel_->point(d);
+  const auto by_chart = [&] {
+    return dobra::mesh::delaunay::filtered_incircle(qa, qb, qc, qd) == geom::Sign::Positive;
+  };
+  // Two rules beside each other need not end: the chart's is taken so often and no more.
+  constexpr std::size_t often = 64;
+  const bool turned = coarse_ && (turns(a, b, c) || turns(a, b, d) || turns(c, d, c));
+  if (turned && by_chart_ < often * (kernel_->vertex_count() + often)) {
+    if (!by_chart()) return false;
+    ++by_chart_;
+    return true;
+  }
   const Point pa = at(a), pb = at(b), pc = at(c), pd = at(d);
   // The angles at c and d together are less than half a turn: as good as it can be in a plane.
   const Vector ca = pa - pc, cb = pb - pc, da = pa - pd, db = pb - pd;
@@ -158,13 +170,20 @@ bool ChartSpace::flips(Vertex a, Vertex b, Vertex c, Vertex d) const {
   if (cos_c >= 0.0 && cos_d >= 0.0) return false;
   const double sin_c = std::sqrt(dot(area_c, area_c)), sin_d = std::sqrt(dot(area_d, area_d));
   if (sin_c * cos_d + cos_c * sin_d >= 0.0) return false;
-  const geom::Point qa = kernel_->point(a), qb = kernel_->point(b), qc = kernel_->point(c), qd = kernel_->point(d);
   if (!turns_left(qa, qd, qc) || !turns_left(qd, qb, qc)) return false;
   // The least of all six angles grows: so it ends.
   constexpr double margin = 1e-9;
   const double before = std::max(least_angle_cosine(pa, pb, pc), least_angle_cosine(pb, pa, pd));
   const double after = std::max(least_angle_cosine(pa, pd, pc), least_angle_cosine(pd, pb, pc));
-  return after < before - margin;
+  if (after >= before - margin) return false;
+  // Across a cone chords are short: there both must agree.
+  return (!turned && !turns(a, b, c) && !turns(a, b, d) && !turns(c, d, c)) || by_chart();
+}
+
+bool ChartSpace::turns(Vertex a, Vertex b, Vertex c) const {
+  constexpr double most = 0.5;  // the cosine of 60 degrees
+  const Vector p = frame(a), q = frame(b), r = frame(c);
+  return dot(p, q) < most || dot(q, r) < most || dot(r, p) < most;
 }
 
 }  // namespace dobra::surf::mesh

@@ -99,9 +99,14 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
     nodes_.push_back(part.nodes_[v]);
     return kernel_->add_vertex(part.kernel_->point(v));
   }
+  /// While cells are large beside the bends of the surface: the chart decides of those over which it turns.
+  void coarse() { coarse_ = true; }
   /// Makes the kernel flip sides by this space's rule.
   void rule() { kernel_->set_rule(this); }
   [[nodiscard]] bool flips(Vertex a, Vertex b, Vertex c, Vertex d) const override;
+  /// Whether the normals at two of the corners differ by more than 60 degrees: chords are no measure of the surface
+  /// then.
+  [[nodiscard]] bool turns(Vertex a, Vertex b, Vertex c) const;
 
  private:
   /// What is kept of a node: derivatives need not be exact, what must be so is decided in the chart.
@@ -130,6 +135,8 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   Kernel* kernel_ = nullptr;
   std::vector<Node> nodes_;
   bool whole_ = true;  ///< Not a part.
+  bool coarse_ = false;
+  mutable std::size_t by_chart_ = 0;  ///< Flips that the chart decided.
 };
 
 }  // namespace dobra::surf::mesh

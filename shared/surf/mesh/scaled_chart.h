@@ -25,12 +25,15 @@ class ScaledChart {
     const double y = p.y / d_;
     return {origin_.x + (p.x - b_ * y) / a_, origin_.y + y};
   }
+  /// The nearest place (u, v) of the surface.
+  [[nodiscard]] geom::Point held(geom::Point p) const {
+    const geom::Box& chart = surface_->chart();
+    const geom::Point uv = unscaled(p);
+    return {std::clamp(uv.x, chart.low.x, chart.high.x), std::clamp(uv.y, chart.low.y, chart.high.y)};
+  }
   /// Derivatives by x and y. @param p  in the scaled chart; the nearest place of the chart of the surface is taken.
   [[nodiscard]] Jet jet(geom::Point p) const {
-    const geom::Box& chart = surface_->chart();
-    geom::Point uv = unscaled(p);
-    uv = {std::clamp(uv.x, chart.low.x, chart.high.x), std::clamp(uv.y, chart.low.y, chart.high.y)};
-    Jet jet = surface_->jet(uv);
+    Jet jet = surface_->jet(held(p));
     const double skew = b_ / a_;
     const geom::Vector3 v = (1.0 / d_) * (jet.v - skew * jet.u);
     const geom::Vector3 vv = (1.0 / (d_ * d_)) * (jet.vv - 2.0 * skew * jet.uv + skew * skew * jet.uu);

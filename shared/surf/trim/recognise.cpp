@@ -37,7 +37,7 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
 }
 
 /// Which arcs are one curve in space: those on both sides of a seam.
-std::vector<std::pair<std::size_t, std::size_t>> seam_pairs(const Surface& surface, const Arcs& arcs) {
+std::vector<std::pair<std::size_t, std::size_t>> seam_pairs(const Surface& surface, const Arcs& arcs, double same) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   const auto pair_up = [&](bool closed, Side low, Side high, bool along_y) {
     if (!closed) return;
@@ -51,8 +51,7 @@ std::vector<std::pair<std::size_t, std::size_t>> seam_pairs(const Surface& surfa
         if (arcs.strands[arcs.arcs[k].strand].side != high) continue;
         const auto [a, b] = ends(arcs.arcs[i]);
         const auto [c, d] = ends(arcs.arcs[k]);
-        if (std::abs(a - c) < 1e-6 * (b - a) + 1e-12 && std::abs(b - d) < 1e-6 * (b - a) + 1e-12)
-          pairs.emplace_back(i, k);
+        if (std::abs(a - c) <= 2.0 * same && std::abs(b - d) <= 2.0 * same) pairs.emplace_back(i, k);
       }
     }
   };
@@ -76,7 +75,7 @@ class Recogniser {
     DOBRA_TRY(s.faces, faces_of(s.surface, s.arcs, s.options.chord));
     DOBRA_TRY_VOID(every_ring_encloses(lines));
     describe_arcs(lines.size());
-    auto pairs = seam_pairs(s.surface, s.arcs);
+    auto pairs = seam_pairs(s.surface, s.arcs, s.options.same);
     find_parts(pairs);
     number_seams(pairs);
     findings_.insert(findings_.begin(), strands.findings.begin(), strands.findings.end());
@@ -99,8 +98,16 @@ class Recogniser {
     }
     for (const Strand& strand : s.arcs.strands) {
       if (strand.line >= lines.size() || !lines[strand.line].closed || encloses[strand.line] != 0) continue;
+      geom::Box box;
+      for (const Strand& other : s.arcs.strands) {
+        for (int i = 0; other.line == strand.line && i <= 8; ++i)
+          box.add(s.arcs.part(other.edge.at(std::lerp(other.edge.from, other.edge.to, i / 8.0))));
+      }
+      constexpr double few = 4.0;
       return Error{ErrorCode::DegenerateCurve,
-                   "a closed line encloses nothing: it runs back along itself; draw it anew",
+                   box.diagonal() <= few * s.options.same
+                       ? "a closed line is smaller than what counts as one point: draw it larger, or leave it out"
+                       : "a closed line encloses nothing: it runs back along itself; draw it anew",
                    place_of(s.surface, s.arcs.uv(s.arcs.vertices[strand.start]))};
     }
     return {};

@@ -115,7 +115,7 @@ TEST_F(SolidCommand, OpenInvertedAndCrossingBoundariesAreRefusedWithTheirFaces) 
 
 TEST_F(SolidCommand, FilesThatAreNoBoundariesAreRefused) {
   EXPECT_EQ(finding({path("missing.stl")}, 3)["code"], "file_not_found");
-  EXPECT_EQ(finding({put("scenario.toml", "dobra = 1\n")}, 3)["code"], "unknown_format");
+  EXPECT_EQ(finding({put("part.step", "ISO-10303-21;\n")}, 3)["code"], "unknown_format");
   EXPECT_EQ(finding({put("empty.off", "OFF\n0 0 0\n")}, 3)["code"], "bad_format");
   EXPECT_EQ(finding({put("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")}, 3)["code"], "not_closed");
   const std::string whole = tetrahedron_binary();

@@ -1,6 +1,7 @@
 // The window on scenarios of surfaces, with mouse and keys as a person uses them.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QSlider>
 #include <QToolBar>
@@ -374,6 +375,87 @@ TEST(SurfacesWindow, ColoursAndHelpingLinesAreSwitched) {
   ASSERT_NE(bar, nullptr);
   EXPECT_TRUE(bar->isVisible());
   EXPECT_GE(bar->actions().size(), 5);
+}
+
+TEST(SurfacesWindow, GUI_b_ACrackDrawnInTheChartIsATrimAndTheMeshOpensIt) {
+  SurfaceWindow window;
+  window.open_text(strips);
+  const std::string before = window.saved();
+  const std::size_t chart = window.panel(core::chart_key(0));
+  window.focus();
+  window.press(Qt::Key_F3);  // without snapping
+  window.press(Qt::Key_K);
+  window.click(window.pixel(chart, {0.8, 1.0}));
+  window.click(window.pixel(chart, {2.2, 2.0}));
+  EXPECT_EQ(window.saved(), before);
+  window.press(Qt::Key_Return);
+  window.settle();
+  auto entries = scenario::entries_of(window.document().input, "trim");
+  ASSERT_EQ(entries.size(), 3U);
+  EXPECT_EQ(scenario::text_in(entries[2], "name"), "crack");
+  EXPECT_EQ(scenario::text_in(entries[2], "role"), "crack");
+  const auto points = scenario::points_in(entries[2]);
+  ASSERT_EQ(points.size(), 2U);
+  const std::vector<Point> wanted{{0.8, 1.0}, {2.2, 2.0}};
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(geom::distance(points[i], wanted[i]), 0.05);
+  EXPECT_EQ(scenario::entries_of(window.document().input, "crack").size(), 0U);
+  ASSERT_FALSE(window->session().outcome()->run.error);
+  EXPECT_NEAR(window.area(), 27.0, 1e-9);
+  // Its line is seen in the chart and in space.
+  const auto* in_chart = SurfaceWindow::content<scene::Lines>(window.chart().layers, "cracks");
+  const scene::space::Layer* in_space = window.layer("cracks");
+  ASSERT_TRUE(in_chart != nullptr && in_space != nullptr);
+  EXPECT_EQ(in_chart->lines.size(), std::get<scene::space::Lines>(in_space->content).lines.size());
+  // A second one has a name of its own; one step of undo takes one crack back.
+  window.click(window.pixel(chart, {7.0, 1.0}));
+  window.click(window.pixel(chart, {8.0, 1.5}));
+  window.press(Qt::Key_Return);
+  window.settle();
+  entries = scenario::entries_of(window.document().input, "trim");
+  ASSERT_EQ(entries.size(), 4U);
+  EXPECT_EQ(scenario::text_in(entries[3], "name"), "crack_2");
+  window->undo();
+  window->undo();
+  EXPECT_EQ(window.saved(), before);
+}
+
+TEST(SurfacesWindow, ACrackFromBesideTheChartBeginsOnItsSide) {
+  SurfaceWindow window;
+  window.open_text(strips);
+  const std::size_t chart = window.panel(core::chart_key(0));
+  window.focus();
+  window.press(Qt::Key_F3);
+  window.press(Qt::Key_K);
+  window.click(window.pixel(chart, {0.0, 1.5}) - QPointF(5.0, 0.0));
+  window.click(window.pixel(chart, {1.5, 1.5}));
+  window.press(Qt::Key_Return);
+  window.settle();
+  const auto entries = scenario::entries_of(window.document().input, "trim");
+  ASSERT_EQ(entries.size(), 3U);
+  EXPECT_EQ(scenario::points_in(entries[2]).front().x, 0.0);
+  ASSERT_FALSE(window->session().outcome()->run.error);
+}
+
+TEST(SurfacesWindow, OtherLinesAreRefusedBesideSurfacesAndTheDocumentStays) {
+  SurfaceWindow window;
+  window.open_text(strips);
+  const auto refused = window->session().program().drawing.add(window.document(), "hole", "hole",
+                                                               {{{1.0, 1.0}, {2.0, 1.0}, {1.5, 2.0}}, true});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message.find("trims"), std::string::npos);
+}
+
+TEST(SurfacesWindow, TheWelcomePageOpensAShellWithACrack) {
+  SurfaceWindow window;
+  window->welcome();
+  auto* card = window->findChild<QAbstractButton*>("welcome.example.surfaces/cracked_shell.toml");
+  ASSERT_NE(card, nullptr);
+  QTest::mouseClick(card, Qt::LeftButton);
+  window.settle();
+  EXPECT_TRUE(window.document().file.empty());  // a copy
+  ASSERT_FALSE(window->session().outcome()->run.error);
+  EXPECT_TRUE(window.space().isVisible());
+  EXPECT_NE(window.layer("cracks"), nullptr);
 }
 
 TEST(SurfacesWindow, ASectionCutsTheViewAndNotTheDocument) {

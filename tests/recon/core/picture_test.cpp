@@ -122,6 +122,32 @@ TEST(Layers, PiecesOfAHorizonAreOneLayerWithOneName) {
   EXPECT_EQ(std::get<scene::Labels>(name->content).labels.at(0).at, (geom::Point{10, -3}));
 }
 
+TEST(Layers, NamesOfOverturnedBedsStandClearOfTheirLines) {
+  const std::vector<geom::Polyline> lines{
+      {{{0, 500}, {400, 560}, {700, 850}, {720, 950}, {660, 1000}, {500, 930}, {300, 890}}, false},  // comes back
+      {{{0, 250}, {700, 350}, {900, 600}, {960, 900}, {950, 1100}}, false},                          // steep
+      {{{0, 150}, {1000, 300}, {1100, 280}}, false}};
+  model::Model model;
+  model.section = test::section_of({lines[0], lines[1], lines[2]});
+  const scene::Panel panel = picture_of(model).panels.at(0);
+  const scene::Anchor sides[] = {scene::Anchor::Left, scene::Anchor::Right, scene::Anchor::Right};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const scene::Layer* name = find(panel, "name_" + std::to_string(i));
+    ASSERT_NE(name, nullptr);
+    const scene::Label& label = std::get<scene::Labels>(name->content).labels.at(0);
+    EXPECT_EQ(label.anchor, sides[i]) << i;
+    // No point of the line stands where a word of 150 m by 30 m would, a little aside of the end.
+    const double sign = label.anchor == scene::Anchor::Left ? -1.0 : 1.0;
+    for (std::size_t k = 1; k < lines[i].points.size(); ++k) {
+      for (int part = 0; part < 20; ++part) {
+        const geom::Point a = lines[i].points[k - 1], b = lines[i].points[k];
+        const geom::Vector off = a + part / 20.0 * (b - a) - label.at;
+        EXPECT_FALSE(sign * off.x > 5.0 && sign * off.x < 150.0 && std::abs(off.y) < 15.0) << i << " " << k;
+      }
+    }
+  }
+}
+
 TEST(Layers, NumbersOfTheSheetHaveFiveFiguresAndNoExponent) {
   const scene::Picture picture = picture_of(restored_model());  // about 1570 m long, 80 000 and 8000 m2
   ASSERT_EQ(picture.tables.size(), 2u);

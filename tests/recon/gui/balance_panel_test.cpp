@@ -3,8 +3,11 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLocale>
+#include <cstdlib>
 
+#include "shared/gui/actions/registry.h"
 #include "tests/gui/program_window.h"
+#include "tests/shared/gui/brazilian.h"
 
 namespace recon::gui {
 namespace {
@@ -101,6 +104,47 @@ TEST(BalancePanel, OfAChainEachStageIsCompared) {
   QTest::keyClick(states, Qt::Key_Down);
   EXPECT_EQ(before(), between);
   EXPECT_EQ(after(), last);
+}
+
+TEST(BalancePanel, AllOfItsColumnsAreSeenAtTheWidthOfItsDockAndNoWordIsCut) {
+  const test::Brazilian brazilian;
+  test::ProgramWindow window("recon/fold.toml");
+  window->resize(1280, 800);
+  window.open();
+  // Switched off and on it stands before the other panels of its dock.
+  ASSERT_TRUE(window->actions().trigger("view.panel.balance"));
+  ASSERT_TRUE(window->actions().trigger("view.panel.balance"));
+  QTreeWidget* rows = window->findChild<QTreeWidget*>("balance.rows");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows->isVisible() && rows->topLevelItemCount() > 8; }, 5000));
+  EXPECT_LE(rows->width(), 300);
+  QCoreApplication::processEvents();
+  const QRect seen = rows->viewport()->rect();
+  const QFontMetrics metrics = rows->fontMetrics();
+  for (int i = 0; i < rows->topLevelItemCount(); ++i) {
+    const QTreeWidgetItem& row = *rows->topLevelItem(i);
+    for (int column = 1; column < 4; ++column) {
+      const int left = rows->columnViewportPosition(column);
+      EXPECT_LE(left + rows->columnWidth(column), seen.width() + 1) << column;
+      EXPECT_GE(rows->columnWidth(column), metrics.horizontalAdvance(row.text(column)) + 2) << column;
+    }
+    // As many lines as its words need in their room, each whole.
+    const int room = rows->columnWidth(0) - (row.icon(0).isNull() ? 6 : 26);
+    int lines = 1, used = 0;
+    for (const QString& word : row.text(0).split(' ')) {
+      const int width = metrics.horizontalAdvance(word);
+      EXPECT_LE(width, room) << word.toStdString();
+      const int with_blank = used + (used > 0 ? metrics.horizontalAdvance(' ') : 0) + width;
+      lines += with_blank > room ? 1 : 0;
+      used = with_blank > room ? width : with_blank;
+    }
+    EXPECT_GE(rows->visualItemRect(&row).height(), lines * metrics.height()) << row.text(0).toStdString();
+  }
+  for (int column = 0; column < 4; ++column) {
+    for (const QString& line : rows->headerItem()->text(column).split('\n'))
+      EXPECT_LE(metrics.horizontalAdvance(line), rows->columnWidth(column)) << line.toStdString();
+  }
+  const char* wish = std::getenv("DOBRA_BALANCE_SCREENSHOT");
+  EXPECT_TRUE(wish == nullptr || window->save_screenshot(wish).ok());
 }
 
 TEST(BalancePanel, SaysWhenThereIsNothingToCompare) {

@@ -118,7 +118,7 @@ TEST(SolidIdentity, SOL_l_ATreeInOneGoIsTheTreeStepByStep) {
   for (const Solid& leaf : {a, b, c, d, e}) leaves.emplace_back(leaf);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> real(-2.5, 2.5);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 10000; ++i) {
     const Point3 p{real(random), real(random), real(random)};
     std::vector<bool> in;
     for (const PointLocator& leaf : leaves) in.push_back(leaf.locate(p) == Location::Inside);

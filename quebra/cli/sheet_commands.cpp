@@ -1,0 +1,346 @@
+#include "quebra/cli/sheet_commands.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "quebra/cli/surface_report.h"
+#include "shared/cli/parameter_options.h"
+#include "shared/cli/staging.h"
+#include "shared/io/formats/boundary_file.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/surf/mesh/surface_elements.h"
+#include "shared/surf/param/discrete_chart.h"
+#include "shared/surf/param/recovered.h"
+#include "shared/surf/remesh/remesh.h"
+
+namespace quebra::cli {
+namespace {
+
+using namespace dobra;
+using base::Error;
+using base::Result;
+using dobra::cli::Command;
+using dobra::cli::Job;
+using dobra::cli::Session;
+using Json = nlohmann::ordered_json;
+using Path = std::filesystem::path;
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Writes a file whole or not at all. @param write  to the path that it is given
+Result<void> write_staged(Session& session, const Path& out,
+                          const std::function<Result<void>(const std::string&)>& write) {
+  DOBRA_TRY(dobra::cli::Staging staging,
+            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
+  if (const auto written = write(staging.path(out.filename().string()).string()); !written)
+    return staging.for_user(written.error());
+  DOBRA_TRY_VOID(session.check());
+  DOBRA_TRY_VOID(staging.commit());
+  return {};
+}
+
+Result<void> print_sheet_json(const Json& json) {
+  return dobra::cli::print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+/// All of it as JSON, or its numbers as a table and its findings as notes.
+Result<void> tell_sheet(Session& session, const Json& json, const std::vector<surf::mesh::Finding>& findings) {
+  if (session.options.format == dobra::cli::OutputFormat::Json) return print_sheet_json(json);
+  for (const auto& finding : findings) session.note(finding.message);
+  if (session.options.verbosity == dobra::cli::Verbosity::Quiet) return {};
+  std::string text;
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_number() || value.is_string()) text += fmt::format("{:<20} {}\n", name, value.dump());
+  }
+  return dobra::cli::print(text);
+}
+
+Result<void> tell_sheet_refusal(Session& session, const Error& error) {
+  if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
+  Json json;
+  json["findings"] = findings_json({finding_of(error)}, {});
+  return print_sheet_json(json);
+}
+
+template <class Work>
+Result<int> with_refusal(Session& session, Work&& work) {
+  Result<int> done = work();
+  if (!done) DOBRA_TRY_VOID(tell_sheet_refusal(session, done.error()));
+  return done;
+}
+
+Json point_json(geom::Point3 p) { return {p.x, p.y, p.z}; }
+
+// ---- parametrise
+
+/// What both commands have.
+template <class P, class D>
+void describe_weights(D& d) {
+  d.choice("weights", &P::weights, {"shape-preserving", "mean-value"},
+           {.title = "Weights", .help = "Of the neighbours of a point in the chart."});
+}
+
+struct ParametriseParams {
+  surf::param::Weights weights = surf::param::Weights::ShapePreserving;
+  surf::param::BorderShape border = surf::param::BorderShape::Auto;
+  base::Angle corner = base::Angle::from_degrees(40.0);
+
+  template <class D>
+  static void describe(D& d) {
+    describe_weights<ParametriseParams>(d);
+    d.choice(
+        "border", &ParametriseParams::border, {"stones", "circle", "auto"},
+        {.title = "Border", .help = "Straight between stones, on a circle, or auto: stones where no triangle flips."});
+    d.field("corner", &ParametriseParams::corner,
+            {.title = "Corner",
+             .help = "The border turns by at least so much at a stone.",
+             .at_least = 1.0,
+             .at_most = 179.0});
+  }
+};
+
+struct ParametriseCommand {
+  Path file;
+  dobra::cli::OptionsOf<ParametriseParams> options{dobra::cli::OutOfRange::BadUsage};
+  std::optional<Path> out;
+};
+
+const io::formats::Format& chart_format() { return *io::formats::format_named("vtu", io::formats::Use::WriteMesh); }
+
+/// The chart as a plane mesh, with the place in space of its points and what is flipped.
+Result<void> write_chart(const std::string& path, const surf::remesh::Charted& charted,
+                         const std::vector<std::uint32_t>& patch_of) {
+  const auto& sheet = charted.opened.sheet;
+  dobra::mesh::TriangleMesh plane;
+  plane.points = charted.parametrisation.uv;
+  for (const auto& t : sheet.triangles)
+    plane.triangles.push_back({dobra::mesh::NodeId(t[0]), dobra::mesh::NodeId(t[1]), dobra::mesh::NodeId(t[2])});
+  plane.regions.assign(plane.triangles.size(), 0);
+  io::meshes::MeshField position{"position", 3, {}}, flipped{"flipped", 1, {}}, patch{"patch", 1, {}};
+  for (const geom::Point3 p : sheet.points) position.values.insert(position.values.end(), {p.x, p.y, p.z});
+  flipped.values.assign(plane.triangles.size(), 0.0);
+  for (const std::uint32_t t : charted.parametrisation.flipped) flipped.values[t] = 1.0;
+  io::meshes::MeshFields fields{{position}, {flipped}};
+  if (!patch_of.empty()) {
+    patch.values.assign(patch_of.begin(), patch_of.end());
+    fields.at_elements.push_back(std::move(patch));
+  }
+  return io::meshes::write_vtu(path, dobra::mesh::element_mesh_of(plane), fields);
+}
+
+/// The surfaces recovered from the chart; nothing of them where triangles are flipped.
+std::vector<std::uint32_t> tell_recovery(const surf::remesh::Charted& charted, Json& json) {
+  for (const char* key : {"border_gap", "border_gap_treated", "patches", "patches_merged", "patches_degraded"})
+    json[key] = nullptr;
+  if (!charted.parametrisation.flipped.empty()) return {};
+  const auto chart =
+      std::make_shared<const surf::param::DiscreteChart>(charted.opened.sheet, charted.parametrisation.uv);
+  const surf::param::Recovered recovered(chart, {.meets = surf::param::Meets::Nothing});
+  json["border_gap"] = recovered.border_gap();
+  json["border_gap_treated"] = surf::param::Recovered(chart).border_gap();
+  json["patches"] = recovered.patches().patches;
+  json["patches_merged"] = recovered.patches().merged;
+  json["patches_degraded"] = recovered.patches().degraded;
+  const surf::param::Continuity jumps = recovered.continuity();
+  json["jumps"] = {{"value", jumps.value}, {"recovered_derivative", jumps.recovered}, {"derivative", jumps.derivative}};
+  return recovered.patches().patch_of;
+}
+
+Result<int> parametrise_job(Session& session, const ParametriseCommand& command) {
+  DOBRA_TRY(const ParametriseParams params, command.options.read());
+  if (command.out) {
+    if (io::formats::format_of(command.out->string(), io::formats::Use::WriteMesh) != &chart_format())
+      return Error{base::ErrorCode::BadUsage, fmt::format("--out {}: the chart is written as {}", command.out->string(),
+                                                          fmt::join(chart_format().endings, " "))};
+    DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
+  }
+  const Stopwatch watch;
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  auto charted = surf::remesh::chart_mesh(
+      mesh, {.weights = params.weights, .border = params.border, .stones = {.turn = params.corner.degrees()}});
+  if (!charted) return base::located(charted.error(), {.file = command.file.string()});
+  const auto& chart = charted->parametrisation;
+  Json json;
+  json["stones"] = chart.stones.size();
+  json["flipped"] = chart.flipped.size();
+  Json recovery;
+  const auto patch_of = tell_recovery(*charted, recovery);
+  json.update(recovery);
+  json["border"] = chart.border == surf::param::BorderShape::Circle ? "circle" : "stones";
+  json["vertices"] = charted->opened.sheet.points.size();
+  json["triangles"] = charted->opened.sheet.triangles.size();
+  json["cut_sides"] = charted->opened.sides;
+  json["cut_length"] = charted->opened.length;
+  json["stone_places"] = Json::array();
+  for (const std::uint32_t v : chart.stones) {
+    json["stone_places"].push_back(
+        {{"point", point_json(charted->opened.sheet.points[v])}, {"uv", Json{chart.uv[v].x, chart.uv[v].y}}});
+  }
+  json["seconds"] = watch.seconds();
+  json["findings"] = findings_json(charted->findings, {});
+  if (command.out) {
+    DOBRA_TRY_VOID(write_staged(session, *command.out,
+                                [&](const std::string& path) { return write_chart(path, *charted, patch_of); }));
+  }
+  DOBRA_TRY_VOID(tell_sheet(session, json, charted->findings));
+  return 0;
+}
+
+// ---- remesh
+
+struct RemeshParams {
+  std::optional<double> size, chord;
+  base::Angle crease = base::Angle::from_degrees(surf::remesh::RemeshOptions{}.crease);
+  base::Angle corner = base::Angle::from_degrees(surf::remesh::RemeshOptions{}.corner);
+  double growth = surf::remesh::RemeshOptions{}.growth;
+  surf::param::Weights weights = surf::param::Weights::ShapePreserving;
+
+  template <class D>
+  static void describe(D& d) {
+    d.field("size", &RemeshParams::size,
+            {.title = "Size", .help = "Length of sides; the mean of the mesh where left out.", .above = 0.0});
+    d.field(
+        "chord", &RemeshParams::chord,
+        {.title = "Chord", .help = "Most that the meshes may be apart; sides get smaller where needed.", .above = 0.0});
+    d.field("crease", &RemeshParams::crease,
+            {.title = "Crease",
+             .help = "Where the mesh folds by more it keeps a line; 180 keeps none.",
+             .at_least = 1.0,
+             .at_most = 180.0});
+    d.field("corner", &RemeshParams::corner,
+            {.title = "Corner",
+             .help = "Where the border turns by more it keeps a node.",
+             .at_least = 1.0,
+             .at_most = 179.0});
+    d.field(
+        "growth", &RemeshParams::growth,
+        {.title = "Growth", .help = "Greatest ratio of the sizes of neighbours.", .at_least = 1.01, .at_most = 10.0});
+    describe_weights<RemeshParams>(d);
+  }
+};
+
+struct RemeshCommand {
+  Path file;
+  dobra::cli::OptionsOf<RemeshParams> options{dobra::cli::OutOfRange::BadUsage};
+  std::optional<Path> out;
+};
+
+Result<surf::remesh::RemeshOptions> options_of(const RemeshCommand& command) {
+  DOBRA_TRY(const RemeshParams params, command.options.read());
+  surf::remesh::RemeshOptions options;
+  options.size = params.size.value_or(0.0);
+  options.chord = params.chord.value_or(0.0);
+  options.crease = params.crease.degrees();
+  options.corner = params.corner.degrees();
+  options.growth = params.growth;
+  options.weights = params.weights;
+  return options;
+}
+
+bool is_boundary(const Path& path) { return io::formats::check_boundary_ending(path.string()).ok(); }
+
+Result<void> write_remeshed(const std::string& path, const surf::mesh::SurfaceMesh& mesh) {
+  if (is_boundary(path)) return io::formats::write_boundary(path, surf::mesh::to_polygon_mesh(mesh));
+  const surf::mesh::SurfaceElements elements = surf::mesh::elements_of(mesh);
+  return io::formats::write_mesh(path, elements.mesh, io::meshes::InpElement::Shell, elements.heights);
+}
+
+Json figures_of(const surf::remesh::Remeshed& made) {
+  const surf::mesh::SurfaceQuality& quality = made.quality;
+  Json json;
+  json["elements"] = quality.triangles;
+  json["nodes"] = quality.nodes;
+  json["area"] = quality.area;
+  json["alpha_mean"] = quality.alpha_mean;
+  json["alpha_90"] = 100.0 * quality.alpha_90;
+  json["alpha_min"] = quality.alpha_min;
+  json["min_angle"] = quality.angle_min.degrees();
+  json["max_angle"] = quality.angle_max.degrees();
+  json["deviation"] = made.deviation;
+  json["flipped"] = made.flipped;
+  json["creases"] = made.creases;
+  json["rounds"] = made.rounds;
+  json["euler"] = quality.euler;
+  json["borders"] = quality.loops;
+  return json;
+}
+
+Result<int> remesh_job(Session& session, const RemeshCommand& command) {
+  DOBRA_TRY(const surf::remesh::RemeshOptions options, options_of(command));
+  if (command.out) {
+    if (!is_boundary(*command.out))
+      DOBRA_TRY_VOID(io::formats::check_mesh_ending(command.out->string(), io::formats::Use::WriteSpaceMesh));
+    DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
+  }
+  const Stopwatch watch;
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  const double read = watch.seconds();
+  auto made = surf::remesh::remesh(mesh, options, session.progress());
+  if (!made) return base::located(made.error(), {.file = command.file.string()});
+  const double meshed = watch.seconds();
+  Json json = figures_of(*made);
+  if (command.out) {
+    DOBRA_TRY_VOID(
+        write_staged(session, *command.out, [&](const std::string& path) { return write_remeshed(path, made->mesh); }));
+  }
+  json["seconds"] = {
+      {"read", read}, {"remesh", meshed - read}, {"write", watch.seconds() - meshed}, {"total", watch.seconds()}};
+  json["findings"] = findings_json(made->findings, {});
+  DOBRA_TRY_VOID(tell_sheet(session, json, made->findings));
+  return 0;
+}
+
+void add_mesh(CLI::App& app, Path& file) {
+  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(io::formats::boundary_endings(), " ")))
+      ->required()
+      ->type_name("MESH");
+}
+
+}  // namespace
+
+Command parametrise_command() {
+  return {"parametrise", "Find the parameter space of a triangle mesh", [](CLI::App& app) -> Job {
+            const auto command = std::make_shared<ParametriseCommand>();
+            add_mesh(app, command->file);
+            command->options.add(app);
+            app.add_option("--out", command->out,
+                           fmt::format("The chart as a plane mesh: {}", fmt::join(chart_format().endings, " ")))
+                ->type_name("FILE");
+            return [command](Session& session) {
+              return with_refusal(session, [&] { return parametrise_job(session, *command); });
+            };
+          }};
+}
+
+Command remesh_command() {
+  return {"remesh", "Mesh a triangle mesh anew through its parameter space", [](CLI::App& app) -> Job {
+            const auto command = std::make_shared<RemeshCommand>();
+            add_mesh(app, command->file);
+            command->options.add(app);
+            app.add_option("--out", command->out,
+                           fmt::format("File to write: {}, or a format of meshes in space",
+                                       fmt::join(io::formats::boundary_endings(), " ")))
+                ->type_name("FILE");
+            return [command](Session& session) {
+              return with_refusal(session, [&] { return remesh_job(session, *command); });
+            };
+          }};
+}
+
+}  // namespace quebra::cli

@@ -1,0 +1,70 @@
+#pragma once
+// A triangle mesh of a file meshed anew: a sheet, cut open where it is no disk, gets a chart (surf/param), and the
+// mesher of surfaces fills it with triangles of the size asked for. Its corners, borders and creases are kept; all
+// nodes lie on the mesh that was given. Page: docs/algorithms/remesh.md.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "shared/base/progress.h"
+#include "shared/base/result.h"
+#include "shared/mesh/polygon_mesh.h"
+#include "shared/surf/mesh/assemble.h"
+#include "shared/surf/param/parametrise.h"
+
+namespace dobra::surf::remesh {
+
+struct RemeshOptions {
+  double size = 0.0;     ///< No side much longer, m; 0: the mean side of the mesh given.
+  double chord = 0.0;    ///< The new mesh is nowhere further from the old one, nor the old from it, m; 0 does not ask.
+  double growth = 1.2;   ///< Greatest ratio of the sizes of neighbouring elements, > 1.
+  double corner = 40.0;  ///< Degrees: vertices at which the border turns by more stay.
+  double crease = 40.0;  ///< Degrees: sides at which the sheet folds by more stay lines; 180: none.
+  std::size_t enough = 20'000;  ///< A mesh of fewer triangles whose sides are longer than `size` is quartered first.
+  int rounds = 6;               ///< So often it is meshed anew with smaller sizes where the chord asks for it.
+  double least = 0.02;          ///< No size below this part of `size`.
+  std::size_t most_triangles = 20'000'000;
+  param::Weights weights = param::Weights::ShapePreserving;
+};
+
+/// A sheet with a place in the chart for each of its points.
+struct Charted {
+  param::Sheet before;   ///< As it was given, mended.
+  param::Opened opened;  ///< And cut.
+  param::Parametrisation parametrisation;
+  std::vector<mesh::Finding> findings;  ///< "mended", "cut" or "holes", "circle", "flipped".
+};
+
+/// What is done with a sheet of several borders and no handle.
+enum class Holes : std::uint8_t {
+  Cut,   ///< Opened along shortest ways from border to border; so is every other sheet that is no disk.
+  Stay,  ///< All but the longest border stay holes in the chart: they are filled while it is laid flat.
+};
+
+/// @error those of sheet_of and parametrise
+base::Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options = {},
+                                 Holes holes = Holes::Cut);
+
+struct Remeshed {
+  mesh::SurfaceMesh mesh;  ///< One face; places in the chart of the opened sheet.
+  mesh::SurfaceQuality quality;
+  double deviation =
+      0.0;  ///< Greatest distance between both meshes at vertices, and at ten places of each triangle, m.
+  std::size_t flipped = 0;  ///< Triangles turned over in the chart, exactly.
+  std::size_t creases = 0;  ///< Lines kept.
+  int rounds = 0;
+  /// Those of Charted, and "rough", "crease_left_out", "deviation_above".
+  std::vector<mesh::Finding> findings;
+};
+
+/// A sheet of many small holes keeps them in its chart, and so does one whose cut cannot be meshed; others are cut.
+/// @error those of chart_mesh; InvalidOption: sizes; CannotMesh with the place: a chart with flipped triangles; those
+/// of mesh_chart
+base::Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options = {},
+                              const base::Progress& progress = {});
+
+/// Greatest distance between two meshes, both ways, at the vertices and at ten places of each triangle, m.
+double deviation(const param::Sheet& a, const param::Sheet& b);
+
+}  // namespace dobra::surf::remesh
