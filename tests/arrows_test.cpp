@@ -36,6 +36,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/solid", {"shared/topo", "shared/mesh"}},
       {"shared/solid/shape", {"shared/solid"}},
       {"shared/solid/csg", {"shared/solid/shape"}},
+      {"shared/solid/partition", {"shared/solid"}},
       {"shared/mesh/delaunay", {"shared/mesh"}},
       {"shared/mesh/sizing", {"shared/mesh/delaunay"}},
       {"shared/mesh/front", {"shared/mesh/sizing"}},

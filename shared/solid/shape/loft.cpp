@@ -258,10 +258,11 @@ Result<void> check_order(std::span<const PlacedProfile> profiles, const std::vec
       for (const Ring& ring : rings[l]) {
         for (const std::uint32_t p : ring) {
           if (way * dot(maker.points()[p] - origin, up) > 0.0) continue;
-          return Error{ErrorCode::InvalidOption,
-                       fmt::format("profile {} has a corner that is not {} profile {}: profiles stand one in front of "
-                                   "the other",
-                                   l + 1, way > 0.0 ? "in front of" : "behind", k + 1),
+          constexpr const char* in_front =
+              "profile {} has a corner that is not in front of profile {}: profiles stand one in front of the other";
+          constexpr const char* behind =
+              "profile {} has a corner that is not behind profile {}: profiles stand one in front of the other";
+          return Error{ErrorCode::InvalidOption, fmt::format(fmt::runtime(way > 0.0 ? in_front : behind), l + 1, k + 1),
                        at_point(maker.points()[p])};
         }
       }
