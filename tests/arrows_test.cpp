@@ -36,6 +36,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/solid", {"shared/topo", "shared/mesh"}},
       {"shared/solid/shape", {"shared/solid"}},
       {"shared/solid/csg", {"shared/solid/shape"}},
+      {"shared/solid/partition", {"shared/solid"}},
       {"shared/mesh/delaunay", {"shared/mesh"}},
       {"shared/mesh/sizing", {"shared/mesh/delaunay"}},
       {"shared/mesh/front", {"shared/mesh/sizing"}},
@@ -111,7 +112,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"recon/cli", {"recon/core", "shared/cli"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
       {"recon", {"recon/core", "recon/cli", "recon/gui", "shared/cli"}},
-      {"quebra/cli", {"quebra/validation", "shared/cli", "shared/solid", "shared/surf/remesh"}},
+      {"quebra/cli", {"quebra/validation", "shared/cli", "shared/solid/partition", "shared/surf/remesh"}},
       {"quebra", {"quebra/core", "quebra/cli", "quebra/gui", "shared/cli"}},
   };
   return table;

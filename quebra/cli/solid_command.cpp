@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,10 +18,12 @@
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
+#include "shared/mesh/polygon_repair.h"
 #include "shared/scenario/units.h"
 #include "shared/solid/boolean.h"
 #include "shared/solid/measure.h"
 #include "shared/solid/mesh_solid.h"
+#include "shared/solid/partition/octree.h"
 
 // 1. All files are read, placed and taken as solids; scenarios are run. 2. Operations of one kind that follow each
 // other are one: A - B - C is A without B and C. 3. The result is measured, cut where a plane is given, written, and
@@ -47,14 +50,25 @@ constexpr std::array kinds{std::pair{"--unite", Operation::Union}, std::pair{"--
                            std::pair{"--subtract", Operation::Difference}};
 constexpr const char* place_option = "--place";
 
-/// What is taken of scenarios, and the section.
+/// What is taken of scenarios, what is done before, told beside, and the section.
 struct SolidExtras {
   std::string part;
+  std::optional<double> repair;
+  std::optional<int> octree;
   std::optional<std::string> cut;
   template <class D>
   static void describe(D& d) {
     d.field("part", &SolidExtras::part,
             {.title = "Part", .help = "Of a scenario: the part that is meant; the last where left out."});
+    d.field("repair", &SolidExtras::repair,
+            {.title = "Repair",
+             .help = "Mend meshes first: points within this distance are one, faces are turned, missing ones put in.",
+             .at_least = 0});
+    d.field("octree", &SolidExtras::octree,
+            {.title = "Octree",
+             .help = "Tell bounds of volumes and overlapping bodies by an octree of this depth.",
+             .at_least = 0,
+             .at_most = 12});
     d.field("cut", &SolidExtras::cut,
             {.title = "Cut",
              .help = "Cut the result by the plane a x + b y + c z + d = 0, given as a,b,c,d: a plane domain."});
@@ -118,14 +132,30 @@ struct Outcome {
   std::vector<Finding> findings;
   Seconds seconds;
   std::optional<CutFigures> cut;
+  nlohmann::ordered_json octree;
 };
 
 base::Place in_file(const std::string& file) { return {.file = file}; }
 
+/// The mesh mended; each repair is a finding.
+mesh::PolygonMesh mended(const mesh::PolygonMesh& mesh, double merge, const std::string& file,
+                         std::vector<Finding>& findings) {
+  mesh::RepairedPolygons repaired = mesh::repaired(mesh, {.merge = merge});
+  for (const mesh::PolygonRepair& repair : repaired.repairs) {
+    base::Place place = in_file(file);
+    place.x = repair.place.x;
+    place.y = repair.place.y;
+    place.z = repair.place.z;
+    findings.push_back({"repaired", repair.message, place});
+  }
+  return std::move(repaired.mesh);
+}
+
 /// @param name  of faces, where a section is to name them; else they have none.
 Result<Bodies> read_mesh(const std::string& file, const std::optional<std::string>& matrix, const std::string& name,
-                         std::vector<Finding>& findings) {
+                         std::optional<double> repair, std::vector<Finding>& findings) {
   DOBRA_TRY(mesh::PolygonMesh mesh, io::formats::read_boundary(file));
+  if (repair) mesh = mended(mesh, *repair, file, findings);
   if (matrix) {
     DOBRA_TRY(const solid::Matrix numbers, parse_matrix(*matrix));
     DOBRA_TRY(Placed placed, place(mesh, numbers));
@@ -154,7 +184,7 @@ Result<Bodies> read_bodies(Session& session, const SolidOptions& options, const 
                            const std::string& part, const std::optional<std::string>& matrix,
                            std::vector<Finding>& findings) {
   if (Path(file).extension() == ".toml") return part_of_scenario(session, file, part, matrix, findings);
-  return read_mesh(file, matrix, options.extras.cut ? Path(file).stem().string() : "", findings);
+  return read_mesh(file, matrix, options.extras.cut ? Path(file).stem().string() : "", options.extras.repair, findings);
 }
 
 /// What the operands have in common; nothing to tell if they overlap and something is left.
@@ -261,6 +291,47 @@ Result<void> write_out(Session& session, const Path& out, Outcome& outcome) {
   return {};
 }
 
+/// Every body in cells of one cube: volumes with bounds, and pairs that may overlap.
+Result<nlohmann::ordered_json> octree_json(const std::vector<Bodies::Body>& bodies, int depth) {
+  namespace partition = solid::partition;
+  std::vector<Solid> solids;
+  std::vector<std::string> names;
+  for (const Bodies::Body& body : bodies) {
+    if (body.solid.empty()) continue;
+    solids.push_back(body.solid);
+    names.push_back(body.material);
+  }
+  nlohmann::ordered_json json;
+  json["depth"] = depth;
+  json["bodies"] = nlohmann::json::array();
+  if (solids.empty()) return json;
+  const partition::Box<3> box = partition::cube_round(solids);
+  json["edge"] = box.high[0] - box.low[0];
+  std::vector<partition::Octree> trees;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    DOBRA_TRY(auto made, partition::octree_of(solids[i], box, depth));
+    trees.push_back(std::move(made));
+    const partition::Octree& tree = trees.back();
+    const partition::Bounds volume = tree.volume();
+    nlohmann::ordered_json told;
+    told["material"] = names[i];
+    told["volume"] = {volume.low, volume.high};
+    told["leaves"] = tree.leaves().size();
+    told["full"] = tree.count(partition::Fill::Full);
+    told["partial"] = tree.count(partition::Fill::Partial);
+    json["bodies"].push_back(std::move(told));
+  }
+  json["clashes"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    for (std::size_t j = i + 1; j < trees.size(); ++j) {
+      const partition::Clash found = partition::clash(trees[i], trees[j]);
+      if (found == partition::Clash::None) continue;
+      json["clashes"].push_back({{"bodies", {names[i], names[j]}}, {"sure", found == partition::Clash::Sure}});
+    }
+  }
+  return json;
+}
+
 nlohmann::ordered_json json_of(const Outcome& outcome) {
   const solid::Measures measures = solid::measure(outcome.solid);
   const solid::Counts counts = outcome.solid.counts();
@@ -272,9 +343,12 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   json["vertices"] = counts.vertices;
   json["edges"] = counts.edges;
   json["faces"] = counts.faces;
+  json["centroid"] = {measures.centre.x, measures.centre.y, measures.centre.z};
+  json["inertia"] = measures.inertia;
   json["seconds"] = {
       {"read", outcome.seconds.read}, {"boolean", outcome.seconds.boolean}, {"write", outcome.seconds.write}};
   if (outcome.cut) json["cut"] = json_of(*outcome.cut);
+  if (!outcome.octree.is_null()) json["octree"] = outcome.octree;
   json["findings"] = findings_json(outcome.findings, {});
   return json;
 }
@@ -333,6 +407,9 @@ Result<int> solid_job(Session& session, const SolidOptions& options, const std::
     solids.push_back(std::move(solid));
   }
   DOBRA_TRY_VOID(timed(outcome.seconds.boolean, [&] { return apply(steps, solids, session, outcome); }));
+  if (options.extras.octree) {
+    DOBRA_TRY(outcome.octree, octree_json(outcome.bodies, *options.extras.octree));
+  }
   if (options.extras.cut) {
     DOBRA_TRY(const solid::CutPlane plane, parse_plane(*options.extras.cut));
     DOBRA_TRY(outcome.cut, timed(outcome.seconds.write, [&] {

@@ -33,6 +33,9 @@ std::vector<scenario::Operation> solid_operations() {
       scenario::make_operation<model::Model, solids::RevolveParams>(
           "revolve", "Turned profile",
           "A contour of (radius, z) turned about the z axis, all the way round or part of it.", solids::add_revolved),
+      scenario::make_operation<model::Model, solids::LoftParams>(
+          "loft", "Profiles joined", "Plane contours in space, each joined to the next by triangles.",
+          solids::add_lofted),
       scenario::make_operation<model::Model, solids::SolidFileParams>(
           "solid_file", "Solid of a file", "A solid whose boundary a file holds.", solids::add_solid_file),
       scenario::make_operation<model::Model, solids::UniteParams>(

@@ -6379,6 +6379,30 @@
         <translation>Um contorno plano com furos, movido por trechos retos com cantos em meia-esquadria.</translation>
     </message>
     <message>
+        <source>Corners of a closed contour; the first is joined to the first of the next profile.</source>
+        <translation>Vértices de um contorno fechado; o primeiro é unido ao primeiro do perfil seguinte.</translation>
+    </message>
+    <message>
+        <source>Direction in which its plane looks; z where left out.</source>
+        <translation>Direção para a qual seu plano está voltado; z se omitida.</translation>
+    </message>
+    <message>
+        <source>Two or more, each in front of the one before.</source>
+        <translation>Dois ou mais, cada um à frente do anterior.</translation>
+    </message>
+    <message>
+        <source>Profiles joined</source>
+        <translation>Perfis unidos</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Perfis</translation>
+    </message>
+    <message>
+        <source>Plane contours in space, each joined to the next by triangles.</source>
+        <translation>Contornos planos no espaço, cada um unido ao seguinte por triângulos.</translation>
+    </message>
+    <message>
         <source>Turned profile</source>
         <translation>Perfil de revolução</translation>
     </message>
