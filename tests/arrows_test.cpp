@@ -43,6 +43,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/surf/mesh", {"shared/surf/trim", "shared/mesh/front"}},
       {"shared/surf/paper", {"shared/surf/mesh"}},
       {"shared/surf/param", {"shared/surf", "shared/mesh", "shared/geom/fit"}},
+      {"shared/surf/loft", {"shared/surf"}},
       {"shared/surf/remesh", {"shared/surf/param", "shared/surf/mesh"}},
       {"shared/fem", {"shared/mesh"}},
       {"shared/fem/error", {"shared/fem", "shared/geom/fit"}},
