@@ -85,6 +85,14 @@ Result<int> with_refusal(Session& session, Work&& work) {
   return done;
 }
 
+/// Boundaries as solids have them, and all other files of polygons in space.
+Result<dobra::mesh::PolygonMesh> read_sheet(const std::string& path) {
+  return io::formats::format_of(path, io::formats::Use::ReadMesh) != nullptr &&
+                 io::formats::format_of(path, io::formats::Use::ReadPolygons) == nullptr
+             ? io::formats::read_boundary(path)
+             : io::formats::read_polygons(path);
+}
+
 Json point_json(geom::Point3 p) { return {p.x, p.y, p.z}; }
 
 // ---- parametrise
@@ -136,15 +144,18 @@ std::vector<std::uint32_t> tell_recovery(const surf::remesh::Charted& charted, J
   return recovered.patches().patch_of;
 }
 
+/// The format that the chart is written in: that of meshes with numbers at their points.
+const io::formats::Format& chart_format() { return *io::formats::format_named("vtu", io::formats::Use::WriteMesh); }
+
 Result<int> parametrise_job(Session& session, const ParametriseCommand& command) {
   if (command.out) {
-    if (command.out->extension() != ".vtu")
-      return Error{base::ErrorCode::BadUsage,
-                   fmt::format("--out {}: the chart is written as .vtu", command.out->string())};
+    if (io::formats::format_of(command.out->string(), io::formats::Use::WriteMesh) != &chart_format())
+      return Error{base::ErrorCode::BadUsage, fmt::format("--out {}: the chart is written as {}", command.out->string(),
+                                                          chart_format().endings.front())};
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
   auto charted = surf::remesh::chart_mesh(
       mesh, {.weights = command.weights, .border = command.border, .stones = {.turn = command.corner}});
   if (!charted) return base::located(charted.error(), {.file = command.file.string()});
@@ -218,7 +229,7 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
   const double read = watch.seconds();
   auto made = surf::remesh::remesh(mesh, command.options, session.progress());
   if (!made) return base::located(made.error(), {.file = command.file.string()});
@@ -263,7 +274,9 @@ Command parametrise_command() {
             app.add_option("--corner", command->corner, "Degrees by which the border turns at a stone, at least")
                 ->check(CLI::Range(1.0, 179.0))
                 ->type_name("DEG");
-            app.add_option("--out", command->out, "The chart as a plane mesh, .vtu")->type_name("FILE");
+            app.add_option("--out", command->out,
+                           fmt::format("The chart as a plane mesh, {}", chart_format().endings.front()))
+                ->type_name("FILE");
             return [command](Session& session) {
               return with_refusal(session, [&] { return parametrise_job(session, *command); });
             };

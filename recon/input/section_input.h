@@ -33,6 +33,32 @@ struct BackdropInput {
   }
 };
 
+/// One [[input.section]]: a section of its own, and where it stands on the map.
+struct PlacedSectionInput {
+  std::string name;
+  std::string file;
+  std::vector<double> trace;
+  template <class D>
+  static void describe(D& d) {
+    d.field("name", &PlacedSectionInput::name, {.title = "Name", .help = "By default that of the file."});
+    d.file("file", &PlacedSectionInput::file,
+           {.title = "File",
+            .help = "A scenario of RECON (.toml), whose input is meant, or lines in any format.",
+            .files = placed_file_kinds(),
+            .presence = dobra::scenario::Presence::Required});
+    d.field("trace", &PlacedSectionInput::trace,
+            {.title = "Trace on the map",
+             .help = "x0, y0, x1, y1 and further corners, from the left end of the section; by default that of its "
+                     "scenario.",
+             .unit = "m"});
+  }
+  static std::vector<dobra::scenario::FileKind> placed_file_kinds() {
+    auto kinds = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines});
+    kinds.insert(kinds.begin(), {"Scenarios", {".toml"}});
+    return kinds;
+  }
+};
+
 enum class SelfCrossings { Refuse, CutLoops };
 enum class AboveTopography { Leave, Restore };
 
@@ -64,6 +90,7 @@ struct SectionInput {
   std::vector<double> fold_axis;
   double plane_tolerance = 1e-3;
   std::vector<LinesInput> lines;
+  std::vector<PlacedSectionInput> placed_sections;
   std::vector<HorizonInput> eroded;
   bool horizons_from_units = false;
   std::string colors;
@@ -96,6 +123,10 @@ struct SectionInput {
     d.tables("eroded", &SectionInput::eroded, {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
     d.tables("lines", &SectionInput::lines,
              {.title = "Files of many lines", .help = "Each line becomes what its kind says, a horizon without one."});
+    d.tables(
+        "section", &SectionInput::placed_sections,
+        {.title = "Sections in space",
+         .help = "Several sections with their traces on the map, instead of the lines of one; for surface and cut."});
     d.field("horizons_from_units", &SectionInput::horizons_from_units,
             {.title = "Horizons from units",
              .help = "Edges that polygons share become horizons, named by the unit below; none along faults."});
