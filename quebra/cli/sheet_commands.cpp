@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -91,6 +92,14 @@ Result<dobra::mesh::PolygonMesh> read_sheet(const std::string& path) {
                  io::formats::format_of(path, io::formats::Use::ReadPolygons) == nullptr
              ? io::formats::read_boundary(path)
              : io::formats::read_polygons(path);
+}
+
+std::vector<std::string> sheet_endings() {
+  std::vector<std::string> endings = io::formats::boundary_endings();
+  for (std::string& ending : io::formats::endings_for(io::formats::Use::ReadPolygons)) {
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) endings.push_back(std::move(ending));
+  }
+  return endings;
 }
 
 Json point_json(geom::Point3 p) { return {p.x, p.y, p.z}; }
@@ -253,7 +262,7 @@ const std::map<std::string, surf::param::BorderShape> border_names{{"auto", surf
                                                                    {"circle", surf::param::BorderShape::Circle}};
 
 void add_mesh(CLI::App& app, Path& file) {
-  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(io::formats::boundary_endings(), " ")))
+  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(sheet_endings(), " ")))
       ->required()
       ->type_name("MESH");
 }

@@ -9,7 +9,7 @@
 
 #include "recon/cli/section_options.h"
 #include "recon/cli/space_json.h"
-#include "recon/core/cut_step.h"
+#include "recon/core/space_steps.h"
 #include "recon/space/surface_file.h"
 #include "shared/cli/commands.h"
 #include "shared/cli/staging.h"
@@ -26,7 +26,7 @@ using dobra::cli::Session;
 struct SpaceOptions {
   std::filesystem::path file;
   dobra::cli::ParameterOptions surface;
-  std::vector<std::string> trace;  ///< Words of --trace.
+  dobra::cli::ParameterOptions cut;
   std::optional<std::filesystem::path> out;
 };
 
@@ -79,21 +79,10 @@ Result<int> surface_job(Session& session, const SpaceOptions& options) {
   return 0;
 }
 
-/// The list of --trace, with commas or blanks between.
-Result<scenario::Step> cut_step_of(const Session& session, const std::vector<std::string>& words) {
-  const auto& fields = session.program.find_operation("cut")->fields;
-  const auto field = std::find_if(fields.begin(), fields.end(), [](const auto& f) { return f.key == "trace"; });
-  auto value = scenario::parse_value(*field, fmt::format("{}", fmt::join(words, ",")));
-  if (!value) return base::Error{base::ErrorCode::BadUsage, fmt::format("--trace: {}", value.error().message)};
-  scenario::Step step{"cut", "", {}, "", {}};
-  step.params.set("trace", std::move(*value));
-  return step;
-}
-
 /// A document of several sections in space: surfaces through them, cut over the trace.
 Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
   DOBRA_TRY(scenario::Document document, with_surface_step(session, options));
-  DOBRA_TRY(scenario::Step step, cut_step_of(session, options.trace));
+  DOBRA_TRY(scenario::Step step, step_of(session, "cut", options.cut));
   document.steps.push_back(std::move(step));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
@@ -133,9 +122,7 @@ dobra::cli::Command cut_command() {
   return {"cut", "Cut a new section out of surfaces through sections", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<SpaceOptions>();
             add_file(app, *options);
-            app.add_option("--trace", options->trace, "Where it runs on the map: x0,y0,x1,y1 and further corners")
-                ->required()
-                ->type_name("NUMBERS");
+            options->cut.add(app, scenario::fields_of<space::CutParams>());
             add_out(app, options->out, "lines of the new section");
             return [options](Session& session) { return cut_job(session, *options); };
           }};

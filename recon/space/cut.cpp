@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "shared/geom/simplify.h"
 #include "shared/io/lines/section_plane.h"
 
 namespace recon::space {
@@ -79,6 +80,10 @@ std::string ends_of(const loft::PlanTrace& trace) {
 Result<CutSection> cut_section(const MadeSurfaces& surfaces, const CutParams& params) {
   DOBRA_TRY(loft::PlanTrace trace, plan_trace(params.trace, "trace"));
   loft::SectionCut cut = loft::cut_along(surfaces.made.surfaces, trace, surfaces.made.size);
+  for (loft::CutLine& line : cut.lines) {
+    if (params.simplify == 0.0) break;
+    DOBRA_TRY(line.line, geom::simplify(line.line, {params.simplify}));
+  }
   CutSection made{{}, {}, std::move(trace), std::move(cut.findings), {}};
   std::vector<scenario::Table> horizons = tables_of(cut, loft::LineKind::Horizon);
   std::vector<scenario::Table> faults = tables_of(cut, loft::LineKind::Fault);

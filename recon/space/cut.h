@@ -13,6 +13,7 @@ namespace recon::space {
 /// Parameters of the step `cut`.
 struct CutParams {
   std::vector<double> trace;
+  double simplify = 0.0;
   template <class D>
   static void describe(D& d) {
     d.field("trace", &CutParams::trace,
@@ -20,6 +21,11 @@ struct CutParams {
              .help = "x0, y0, x1, y1 and further corners: where the new section runs, from its left end to its right.",
              .unit = "m",
              .presence = dobra::scenario::Presence::Required});
+    d.field("simplify", &CutParams::simplify,
+            {.title = "Simplify lines",
+             .help = "Vertices are dropped that are nearer than this to the line without them; 0 keeps all.",
+             .unit = "m",
+             .at_least = 0.0});
   }
 };
 

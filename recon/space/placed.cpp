@@ -50,6 +50,7 @@ Result<ReadOne> read_lines(const input::PlacedSectionInput& placed, input::Secti
 Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const input::SectionInput& around,
                                const scenario::Context& context, const base::Progress& progress,
                                std::vector<std::string>& remarks) {
+  if (!placed.trace.empty()) DOBRA_TRY_VOID(plan_trace(placed.trace, "trace"));
   const std::filesystem::path path = context.folder / placed.file;
   const bool is_scenario = path.extension() == ".toml";
   DOBRA_TRY(ReadOne one, is_scenario ? read_scenario(path, progress) : read_lines(placed, around, context, progress));
@@ -61,6 +62,12 @@ Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const in
   std::string name = placed.name.empty() ? path.stem().string() : placed.name;
   for (const std::string& remark : one.read.remarks) remarks.push_back(fmt::format("section '{}': {}", name, remark));
   return PlacedSection{std::move(name), std::move(one.read.section), std::move(plan)};
+}
+
+/// What is wrong in a section is told with the section, whatever item of it is meant.
+Error of_section(Error error, const std::string& item) {
+  if (error.place && !error.place->item.empty()) error.message = fmt::format("{}: {}", item, error.message);
+  return base::located(std::move(error), {.item = item});
 }
 
 /// What lies beside the trace is placed on its end pieces, gone on.
@@ -108,7 +115,7 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
     DOBRA_TRY_VOID(progress.check());
     const std::string item = fmt::format("section '{}'", placed.name.empty() ? placed.file : placed.name);
     auto one = read_one(placed, input, context, progress, made.remarks);
-    if (!one) return base::located(one.error(), {.item = item});
+    if (!one) return of_section(one.error(), item);
     const bool twice = std::any_of(made.sections.begin(), made.sections.end(),
                                    [&](const PlacedSection& other) { return other.name == one->name; });
     if (twice)

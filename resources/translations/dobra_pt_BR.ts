@@ -6726,5 +6726,17 @@
         <source>Lines of one height every so many metres.</source>
         <translation>Linhas de mesma altura a cada tantos metros.</translation>
     </message>
+    <message>
+        <source>Surfaces through four sections, and a fifth cut and restored.</source>
+        <translation>Superfícies por quatro seções, e uma quinta cortada e restaurada.</translation>
+    </message>
+    <message>
+        <source>Simplify lines</source>
+        <translation>Simplificar linhas</translation>
+    </message>
+    <message>
+        <source>Vertices are dropped that are nearer than this to the line without them; 0 keeps all.</source>
+        <translation>Descartam-se vértices que distam menos que isso da linha sem eles; 0 mantém todos.</translation>
+    </message>
 </context>
 </TS>
