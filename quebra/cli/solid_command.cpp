@@ -13,7 +13,7 @@
 
 #include "quebra/cli/placement.h"
 #include "quebra/cli/solid_cut.h"
-#include "quebra/cli/surface_report.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/scenario/units.h"
@@ -260,7 +260,7 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   json["seconds"] = {
       {"read", outcome.seconds.read}, {"boolean", outcome.seconds.boolean}, {"write", outcome.seconds.write}};
   if (outcome.cut) json["cut"] = json_of(*outcome.cut);
-  json["findings"] = findings_json(outcome.findings, {});
+  json["findings"] = dobra::cli::findings_json(outcome.findings, {});
   return json;
 }
 
@@ -334,7 +334,7 @@ Result<int> solid_job(Session& session, const SolidOptions& options, const std::
 Result<void> tell_refusal(Session& session, const Error& error) {
   if (session.options.format != dobra::cli::OutputFormat::Json || error.code == ErrorCode::Cancelled) return {};
   nlohmann::ordered_json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
+  json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(error)}, {});
   return print_json(json);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "recon/block/cut_input.h"
 #include "recon/core/area_balance_step.h"
 #include "recon/core/balance_step.h"
 #include "recon/core/carry_step.h"
@@ -35,10 +36,16 @@ namespace {
 
 base::Result<scenario::State> read_input(const scenario::Table& table, const scenario::Context& context,
                                          const base::Progress& progress) {
-  DOBRA_TRY(input::ReadSection read, read_section(scenario::from_table<input::SectionInput>(table), context, progress));
+  const auto wanted = scenario::from_table<input::SectionInput>(table);
+  DOBRA_TRY(input::ReadSection read, read_section(wanted, context, progress));
+  if (!wanted.cut.empty()) {
+    DOBRA_TRY(read, block::cut_through(std::move(read), wanted));
+  }
   model::Model model;
   model.section = std::move(read.section);
   model.remarks = std::move(read.remarks);
+  model.trace = read.trace;
+  if (wanted.cut.empty()) model.along_strike = wanted.along_strike.value_or(0.0);
   return scenario::make_state(std::move(model));
 }
 
