@@ -5,6 +5,7 @@
 #include "recon/cli/inversion_commands.h"
 #include "recon/cli/move_commands.h"
 #include "recon/cli/section_commands.h"
+#include "recon/cli/solid_command.h"
 #include "recon/core/operations.h"
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"

@@ -1,7 +1,7 @@
 #include "recon/block/block_mesh.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <cmath>
 
 #include "shared/solid/triangulate.h"
 
@@ -22,13 +22,14 @@ class Maker {
 
   base::Result<BlockMesh> make() {
     for (const BlockUnit& unit : block_.units) {
-      for (std::size_t f = 0; f < unit.shape.mesh.faces.size(); ++f) {
+      const dobra::solid::shape::Shape shape = shape_on_map(block_, unit);
+      for (std::size_t f = 0; f < shape.mesh.faces.size(); ++f) {
         std::vector<std::vector<PointId>> loops;
-        for (const auto& loop : unit.shape.mesh.faces[f]) {
+        for (const auto& loop : shape.mesh.faces[f]) {
           auto& corners = loops.emplace_back();
-          for (const std::uint32_t p : loop) corners.push_back(space_.add(unit.shape.mesh.points[p]));
+          for (const std::uint32_t p : loop) corners.push_back(space_.add(shape.mesh.points[p]));
         }
-        const std::string group = without_blanks(unit.name) + ' ' + without_blanks(unit.shape.names[f]);
+        const std::string group = without_blanks(unit.name) + ' ' + without_blanks(shape.names[f]);
         if (loops.size() == 1 && loops[0].size() <= most_corners_) {
           add(loops[0], group);
         } else if (!cut(loops, group)) {
@@ -37,8 +38,7 @@ class Maker {
         }
       }
     }
-    for (std::size_t p = 0; p < space_.point_count(); ++p)
-      made_.mesh.points.push_back(block_.on_map(space_.rounded(PointId(p))));
+    for (std::size_t p = 0; p < space_.point_count(); ++p) made_.mesh.points.push_back(space_.rounded(PointId(p)));
     return std::move(made_);
   }
 
@@ -73,6 +73,27 @@ class Maker {
 };
 
 }  // namespace
+
+dobra::solid::shape::Shape shape_on_map(const Block& block, const BlockUnit& unit) {
+  dobra::solid::shape::Shape shape = unit.shape;
+  const dobra::io::lines::Trace& trace = block.trace;
+  if (trace.x == 0.0 && trace.y == 0.0 && trace.north == 0.0 && trace.east == 1.0) return shape;
+  // The same for all units: of the greatest coordinate that any point may have.
+  double reach = std::abs(trace.x) + std::abs(trace.y) + block.length;
+  for (const Sheet& sheet : block.sheets) {
+    for (const geom::Point3 p : sheet.stations[0])
+      reach = std::max(reach, std::abs(trace.x) + std::abs(trace.y) + block.length + std::abs(p.x));
+  }
+  const double grid = std::exp2(std::ceil(std::log2(reach)) - 52.0);
+  const auto on_grid = [grid](double value) { return grid * std::nearbyint(value / grid); };
+  const geom::Vector3 along{on_grid(-block.length * trace.north), on_grid(block.length * trace.east), 0.0};
+  for (geom::Point3& p : shape.mesh.points) {
+    const geom::Point3 start = block.on_map({p.x, 0.0, p.z});
+    const geom::Point3 near{on_grid(start.x), on_grid(start.y), p.z};
+    p = p.y == 0.0 ? near : near + along;
+  }
+  return shape;
+}
 
 base::Result<BlockMesh> mesh_of(const Block& block, std::size_t most_corners) {
   return Maker(block, most_corners).make();

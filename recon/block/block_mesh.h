@@ -9,6 +9,10 @@
 
 namespace recon::block {
 
+/// The faces of a unit on the map. Where the section does not run along the x axis, points are rounded to a grid on
+/// which the way along strike is one exactly, so that faces along strike stay plane and neighbours keep theirs.
+dobra::solid::shape::Shape shape_on_map(const Block& block, const BlockUnit& unit);
+
 struct BlockMesh {
   dobra::mesh::PolygonMesh mesh;  ///< On the map; what two units share stands there once for each, with common points.
   /// Of each face: unit and side, blanks in them as underscores, with a blank between.

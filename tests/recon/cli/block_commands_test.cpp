@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "recon/cli/section_commands.h"
+#include "recon/cli/solid_command.h"
 #include "recon/core/operations.h"
 #include "shared/io/file.h"
 #include "tests/support/command_line.h"
@@ -22,7 +23,8 @@ using testing::HasSubstr;
 
 class BlockCommands : public dobra::test::CommandLine {
  protected:
-  BlockCommands() : CommandLine(core::program(), {block_command(), cut_command(), restore_command()}) {}
+  BlockCommands()
+      : CommandLine(core::program(), {block_command(), cut_command(), solid_command(), restore_command()}) {}
 
   /// Two layers of 100 m by 10 m that dip by 45 degrees to the right, and a fault.
   std::string lines() const {
@@ -74,6 +76,34 @@ TEST_F(BlockCommands, BlockHasTheVolumesOfItsUnitsAndWritesTheirFaces) {
   EXPECT_THAT(text, HasSubstr("g middle_-_base start\n"));
   for (const char* name : {"block.stl", "block.ply", "block.off"})
     EXPECT_EQ(call({"block", lines(), "--along-strike", "50", "--out", path(name)}).code, 0) << name;
+}
+
+TEST_F(BlockCommands, SolidTakesTheBlockOfASectionAsOneOrAUnitOfIt) {
+  const Json all = told({"solid", scenario(), "--out", path("part.stl")});
+  EXPECT_EQ(all["volume"], 100000.0);
+  EXPECT_EQ(all["shells"], 1);
+  EXPECT_EQ(all["genus"], 0);
+  EXPECT_TRUE(std::filesystem::exists(path("part.stl")));
+  const Json again = told({"solid", path("part.stl")});
+  EXPECT_EQ(again["volume"], 100000.0);
+  const Json one = told({"solid", scenario(), "--part", "middle - base"});
+  EXPECT_EQ(one["volume"], 50000.0);
+  const Json without = told({"solid", scenario(), "--subtract", path("part.stl")});
+  EXPECT_EQ(without["volume"], 0.0);
+  EXPECT_EQ(call({"solid", scenario(), "--part", "none"}).code, 3);
+  EXPECT_EQ(call({"solid", scenario(""), "--json"}).code, 3);
+}
+
+TEST_F(BlockCommands, ABlockMayStandAskewOnTheMap) {
+  const std::string askew = scenario("along_strike = 50\ntrace = [678123.4, 7391234.5, 678201.7, 7391300.1]\n");
+  EXPECT_EQ(told({"block", askew, "--out", path("block.obj")})["volume"], 100000.0);
+  const std::string text = dobra::io::read_text(path("block.obj")).value();
+  EXPECT_THAT(text, HasSubstr("v 678123.4"));
+  const Json cut = told({"cut", askew, "--trace", "678123.4,7391234.5,678201.7,7391300.1"});
+  EXPECT_NEAR(cut["area"].get<double>(), 2000.0, 1e-5);
+  const Json solid = told({"solid", askew});
+  EXPECT_EQ(solid["volume"], 100000.0);
+  EXPECT_EQ(solid["findings"][0]["code"], "block_coordinates");
 }
 
 TEST_F(BlockCommands, APlaneThatMissesIsToldAndWritesNothing) {
