@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "quebra/cli/surface_report.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/io/formats/mesh_file.h"
@@ -75,7 +75,7 @@ Result<void> tell_sheet(Session& session, const Json& json, const std::vector<su
 Result<void> tell_sheet_refusal(Session& session, const Error& error) {
   if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
   Json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
+  json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(error)}, {});
   return print_sheet_json(json);
 }
 
@@ -186,7 +186,7 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
         {{"point", point_json(charted->opened.sheet.points[v])}, {"uv", Json{chart.uv[v].x, chart.uv[v].y}}});
   }
   json["seconds"] = watch.seconds();
-  json["findings"] = findings_json(charted->findings, {});
+  json["findings"] = dobra::cli::findings_json(charted->findings, {});
   if (command.out) {
     DOBRA_TRY_VOID(write_staged(session, *command.out,
                                 [&](const std::string& path) { return write_chart(path, *charted, patch_of); }));
@@ -250,7 +250,7 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
   }
   json["seconds"] = {
       {"read", read}, {"remesh", meshed - read}, {"write", watch.seconds() - meshed}, {"total", watch.seconds()}};
-  json["findings"] = findings_json(made->findings, {});
+  json["findings"] = dobra::cli::findings_json(made->findings, {});
   DOBRA_TRY_VOID(tell_sheet(session, json, made->findings));
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "recon/cli/block_commands.h"
 #include "recon/cli/section_options.h"
 #include "recon/cli/space_json.h"
 #include "recon/core/space_steps.h"
@@ -26,12 +27,16 @@ using dobra::cli::Session;
 struct SpaceOptions {
   std::filesystem::path file;
   dobra::cli::ParameterOptions surface;
-  dobra::cli::ParameterOptions cut;
+  dobra::cli::ParameterOptions cut, block;
   std::optional<std::filesystem::path> out;
 };
 
 void add_file(CLI::App& app, SpaceOptions& options) {
-  app.add_option("file", options.file, "A scenario (.toml) with [[input.section]]")->required()->type_name("FILE");
+  app.add_option("file", options.file,
+                 "A scenario (.toml): sections in space, [[input.section]]; or, to be cut, one "
+                 "section that is extruded to a block")
+      ->required()
+      ->type_name("FILE");
   options.surface.add(app, scenario::fields_of<space::SurfaceParams>());
 }
 
@@ -81,6 +86,7 @@ Result<int> surface_job(Session& session, const SpaceOptions& options) {
 
 /// A document of several sections in space: surfaces through them, cut over the trace.
 Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
+  DOBRA_TRY_VOID(check_out(options.out));
   DOBRA_TRY(scenario::Document document, with_surface_step(session, options));
   DOBRA_TRY(scenario::Step step, step_of(session, "cut", options.cut));
   document.steps.push_back(std::move(step));
@@ -95,14 +101,29 @@ Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
   return 0;
 }
 
-/// What is cut goes by what the document holds: sections in space are cut here.
+/// A document of one section, which is extruded to a block.
+Result<int> cut_extruded(Session& session, const SpaceOptions& options) {
+  scenario::Table cut;
+  DOBRA_TRY_VOID(options.cut.set(scenario::fields_of<space::CutParams>(), cut));
+  if (options.surface.any() || cut.find("simplify") != nullptr)
+    return base::Error{base::ErrorCode::BadUsage,
+                       "options of surfaces are for documents with [[input.section]]; this one has a section that is "
+                       "extruded to a block"};
+  BlockCutOptions block{options.file.string(), {}, options.out};
+  DOBRA_TRY_VOID(options.block.set(session.program.input_fields, block.input));
+  if (const scenario::Value* trace = cut.find("trace")) block.input.set("cut", *trace);
+  return cut_block(session, block);
+}
+
+/// What is cut goes by what the document holds.
 Result<int> cut_job(Session& session, const SpaceOptions& options) {
-  DOBRA_TRY_VOID(check_out(options.out));
+  if (options.file.extension() != ".toml") return cut_extruded(session, options);
   DOBRA_TRY(const scenario::Document document, scenario::read_document(options.file));
-  if (document.input.find("section") != nullptr) return cut_surfaces(session, options);
-  return base::Error{base::ErrorCode::BadSection,
-                     "there is nothing in space to cut: the document has no [[input.section]]",
-                     base::Place{.file = options.file.string()}};
+  if (document.input.find("section") == nullptr) return cut_extruded(session, options);
+  if (options.block.any())
+    return base::Error{base::ErrorCode::BadUsage,
+                       "--along-strike is for a document of one section; this one has several in space"};
+  return with_refusal(session, cut_surfaces(session, options));
 }
 
 }  // namespace
@@ -119,10 +140,11 @@ dobra::cli::Command surface_command() {
 }
 
 dobra::cli::Command cut_command() {
-  return {"cut", "Cut a new section out of surfaces through sections", [](CLI::App& app) -> Job {
+  return {"cut", "Cut a new section out of surfaces through sections, or out of a block", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<SpaceOptions>();
             add_file(app, *options);
             options->cut.add(app, scenario::fields_of<space::CutParams>());
+            options->block.add(app, scenario::fields_of<input::SectionInput>(), {"along_strike"});
             add_out(app, options->out, "lines of the new section");
             return [options](Session& session) { return cut_job(session, *options); };
           }};

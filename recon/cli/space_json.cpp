@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "recon/space/cut.h"
+#include "shared/cli/findings.h"
 
 namespace recon::cli {
 
@@ -12,25 +13,6 @@ namespace {
 
 using SpaceJson = nlohmann::ordered_json;
 namespace loft = dobra::surf::loft;
-
-SpaceJson place_json(const base::Place& place) {
-  SpaceJson at = SpaceJson::array();
-  for (const auto& value : {place.x, place.y, place.z}) {
-    if (value) at.push_back(*value);
-  }
-  return at;
-}
-
-SpaceJson findings_json(const std::vector<loft::Finding>& findings) {
-  SpaceJson list = SpaceJson::array();
-  for (const loft::Finding& finding : findings) {
-    SpaceJson entry{{"code", finding.code}, {"message", finding.message}};
-    if (!finding.place.item.empty()) entry["item"] = finding.place.item;
-    if (finding.place.x) entry["at"] = place_json(finding.place);
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
 
 std::string dumped(const SpaceJson& json) {
   return json.dump(2, ' ', false, SpaceJson::error_handler_t::replace) + '\n';
@@ -65,7 +47,7 @@ std::string surfaces_json(const model::Model& model) {
                        {"exact", row.volume.exact}});
   json["surfaces"] = std::move(surfaces);
   json["volumes"] = std::move(volumes);
-  json["findings"] = findings_json(made.made.findings);
+  json["findings"] = dobra::cli::findings_json(made.made.findings, {});
   return dumped(json);
 }
 
@@ -100,7 +82,7 @@ std::string cut_json(const model::Model& model) {
   for (const section::Horizon& h : cut.section.horizons) add(h.name, h.piece_of, "horizon", h.line);
   for (const section::SectionLine& l : cut.section.lines) add(l.name, l.piece_of, kind_name(l.kind), l.line);
   json["lines"] = std::move(lines);
-  json["findings"] = findings_json(cut.findings);
+  json["findings"] = dobra::cli::findings_json(cut.findings, {});
   return dumped(json);
 }
 
@@ -118,7 +100,7 @@ std::string cut_table(const model::Model& model) {
 std::string refusal_json(const base::Error& error) {
   SpaceJson json;
   json["surfaces"] = SpaceJson::array();
-  json["findings"] = findings_json({{"refused", error.message, error.place.value_or(base::Place{})}});
+  json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(error)}, {});
   return dumped(json);
 }
 

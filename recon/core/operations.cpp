@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "recon/block/cut_input.h"
 #include "recon/core/area_balance_step.h"
 #include "recon/core/balance_step.h"
 #include "recon/core/carry_step.h"
@@ -45,8 +46,13 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
     return scenario::make_state(std::move(model));
   }
   DOBRA_TRY(input::ReadSection read, read_section(input, context, progress));
+  if (!input.cut.empty()) {
+    DOBRA_TRY(read, block::cut_through(std::move(read), input));
+  }
   model.section = std::move(read.section);
   model.remarks = std::move(read.remarks);
+  model.trace = read.trace;
+  if (input.cut.empty()) model.along_strike = input.along_strike.value_or(0.0);
   return scenario::make_state(std::move(model));
 }
 

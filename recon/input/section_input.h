@@ -95,6 +95,8 @@ struct SectionInput {
   bool horizons_from_units = false;
   std::string colors;
   std::string orientation;
+  std::optional<double> along_strike;
+  std::vector<double> cut;
   template <class D>
   static void describe(D& d) {
     dobra::scenario::lines::LineKeys<SectionInput, D> keys(d);
@@ -151,6 +153,17 @@ struct SectionInput {
         "orientation", &SectionInput::orientation,
         {.title = "Orientation",
          .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
+    d.field("along_strike", &SectionInput::along_strike,
+            {.title = "Length along strike",
+             .help = "Of the block that the section stands for: its beds go on like this, into the picture.",
+             .unit = "m",
+             .above = 0.0});
+    d.field("cut", &SectionInput::cut,
+            {.title = "Cut through the block",
+             .help = "x and y of the beginning and the end of a trace on the map: the section that the vertical plane "
+                     "over it cuts out of the block takes the place of the one that was drawn.",
+             .unit = "m",
+             .when = "along_strike is set"});
   }
 };
 

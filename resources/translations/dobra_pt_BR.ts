@@ -2096,6 +2096,22 @@
         <translation>Remover lascas</translation>
     </message>
     <message>
+        <source>Length along strike</source>
+        <translation>Comprimento ao longo da direção</translation>
+    </message>
+    <message>
+        <source>Of the block that the section stands for: its beds go on like this, into the picture.</source>
+        <translation>Do bloco que a seção representa: suas camadas seguem assim, para dentro da figura.</translation>
+    </message>
+    <message>
+        <source>Cut through the block</source>
+        <translation>Corte através do bloco</translation>
+    </message>
+    <message>
+        <source>x and y of the beginning and the end of a trace on the map: the section that the vertical plane over it cuts out of the block takes the place of the one that was drawn.</source>
+        <translation>x e y do início e do fim de um traço no mapa: a seção que o plano vertical sobre ele corta do bloco toma o lugar da que foi desenhada.</translation>
+    </message>
+    <message>
         <source>Fold axis</source>
         <translation>Eixo da dobra</translation>
     </message>

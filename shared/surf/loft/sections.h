@@ -6,18 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "shared/base/finding.h"
 #include "shared/base/result.h"
 #include "shared/geom/point3.h"
 #include "shared/geom/polyline.h"
 
 namespace dobra::surf::loft {
 
-/// What was changed, left out or is doubtful; it stands beside an answer.
-struct Finding {
-  std::string code;     ///< Stable, for scripts: "mistie", "missing".
-  std::string message;  ///< One line.
-  base::Place place{};  ///< x, y, z where there is one; the item is the section or line.
-};
+using Finding = base::Finding;  ///< Codes: docs/user/space.md.
 
 /// A vertical surface over a polyline of the map. A point of a section is (s, z): s the distance along the trace from
 /// its first corner, z the height.

@@ -111,7 +111,7 @@ TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
   const SpaceOut refused = SpaceOut::parse(outcome.out);
   EXPECT_EQ(refused["surfaces"].size(), 0U);
   ASSERT_EQ(refused["findings"].size(), 1U);
-  EXPECT_NEAR(refused["findings"][0]["at"][0], 100.0, 1e-9);
+  EXPECT_NEAR(refused["findings"][0]["place"]["point"][0], 100.0, 1e-9);
   EXPECT_NE(outcome.err.find("13 m apart where 'long' and 'across' cross"), std::string::npos) << outcome.err;
 }
 
@@ -124,7 +124,7 @@ TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {
   const std::string one = put("one.toml",
                               "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"A\"\npoints = [[0, 0], [9, "
                               "1]]\n");
-  refuses({"cut", one, "--trace", "0,0,1,1"}, 3, {"nothing in space to cut"});
+  refuses({"cut", one, "--trace", "0,0,1,1"}, 3, {"along"});
   refuses({"surface", one}, 4, {"[[input.section]]"});
   // Steps of one section are refused where there are several.
   EXPECT_NE(call({"restore", file}).err.find("several sections in space"), std::string::npos);
