@@ -13,6 +13,7 @@
 #include <set>
 
 #include "shared/surf/loft/cut.h"
+#include "shared/surf/loft/ends.h"
 #include "shared/surf/loft/loft.h"
 #include "shared/surf/loft/network.h"
 #include "shared/surf/loft/pieces.h"
@@ -64,18 +65,28 @@ class Through {
   Through(Surfaces made, const ThroughOptions& options) : made_(std::move(made)), options_(options) {}
 
   base::Result<Surfaces> run() {
-    std::set<std::string> done;
-    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
-      for (std::size_t l = 0; l < made_.sections[s].lines.size(); ++l) {
-        const SectionLine line = made_.sections[s].lines[l];
-        if (!done.insert(line.name).second) continue;
-        DOBRA_TRY_VOID(surface_of(line.name, line.kind));
-      }
-    }
+    // Faults first: horizons end at them.
+    for (const LineKind kind : {LineKind::Fault, LineKind::Horizon}) DOBRA_TRY_VOID(surfaces_of(kind));
+    std::stable_sort(made_.surfaces.begin(), made_.surfaces.end(), [&](const NamedSurface& a, const NamedSurface& b) {
+      return std::find(names_.begin(), names_.end(), a.name) < std::find(names_.begin(), names_.end(), b.name);
+    });
     return std::move(made_);
   }
 
  private:
+  base::Result<void> surfaces_of(LineKind kind) {
+    std::set<std::string> done;
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      for (std::size_t l = 0; l < made_.sections[s].lines.size(); ++l) {
+        const SectionLine line = made_.sections[s].lines[l];
+        if (std::find(names_.begin(), names_.end(), line.name) == names_.end()) names_.push_back(line.name);
+        if (line.kind != kind || !done.insert(line.name).second) continue;
+        DOBRA_TRY_VOID(surface_of(line.name, line.kind));
+      }
+    }
+    return {};
+  }
+
   void tell(std::string code, std::string message, base::Place place) {
     made_.findings.push_back({std::move(code), std::move(message), std::move(place)});
   }
@@ -99,6 +110,7 @@ class Through {
       if (m.line == name) misties.push_back(m);
     }
     NamedSurface surface{name, kind, {}};
+    lines_v_.clear();
     std::vector<std::size_t> left = which;
     if (!misties.empty()) {
       DOBRA_TRY(surface.patches, patches_between(made_.sections, name, misties, options_, made_.size, made_.findings));
@@ -116,6 +128,8 @@ class Through {
            place_at(at, fmt::format("{} '{}'", kind_name(kind), name)));
     }
     tell_left_out(surface, which, left);
+    if (kind == LineKind::Horizon && lines_v_.size() == surface.patches.size())
+      lead_to_faults(surface, lines_v_, made_.surfaces, greatest_way * made_.size, made_.findings);
     if (!surface.patches.empty()) made_.surfaces.push_back(std::move(surface));
     return {};
   }
@@ -265,6 +279,7 @@ class Through {
       for (const Strand& strand : of_section) names.insert(strand.name);
     }
     std::vector<Patch> patches;
+    lines_v_.clear();
     for (const PieceName& name : names) {
       std::vector<const Strand*> run;
       for (const auto& of_section : strands) {
@@ -312,11 +327,16 @@ class Through {
     patch.low_fault = name.low;
     patch.high_fault = name.high;
     patches.push_back(std::move(patch));
+    lines_v_.push_back(made->lines_v);
     return {};
   }
 
+  static constexpr double greatest_way = 0.05;  // of the size: from the border of a horizon to its fault
+
   Surfaces made_;
   const ThroughOptions& options_;
+  std::vector<std::string> names_;            // in the order in which sections name them
+  std::vector<std::vector<double>> lines_v_;  // of the patches of a row
 };
 
 }  // namespace

@@ -165,6 +165,42 @@ TEST(LoftUntidy, FaultsPartHorizonsAndTheirPiecesAreJoinedByTheFaultsAtTheirEnds
   EXPECT_EQ(at_fault, 2);
 }
 
+TEST(LoftUntidy, HorizonsAreLedToCurvedFaultsBetweenTheSections) {
+  // The fault is curved along strike and in depth; lines of the horizon end on it, and nowhere else is it known.
+  const auto fault_x = [](double y, double z) { return 500.0 + 60.0 * std::sin(0.006 * y) + 0.5 * z + 1e-3 * z * z; };
+  const auto top = [](double x, double y) { return 0.1 * x + 30.0 * std::sin(0.005 * y); };
+  auto sections = row(4, 1000.0, 600.0, top, 1, "none");
+  for (auto& s : sections) {
+    s.lines.clear();
+    const double y = s.trace.corners()[0].y;
+    geom::Polyline fault;
+    for (int i = 0; i <= 40; ++i) fault.points.push_back({fault_x(y, 300.0 - 15.0 * i), 300.0 - 15.0 * i});
+    add(s, "F", fault, LineKind::Fault);
+    double end = 500.0;
+    for (int i = 0; i < 50; ++i) end = fault_x(y, top(end, y));
+    add(s, "top", sampled(s, top, 40, 0.0, end / 1000.0));
+  }
+  const auto made = through(sections);
+  const auto& surface =
+      *std::find_if(made.surfaces.begin(), made.surfaces.end(), [](const auto& s) { return s.name == "top"; });
+  const auto& fault =
+      *std::find_if(made.surfaces.begin(), made.surfaces.end(), [](const auto& s) { return s.name == "F"; });
+  ASSERT_EQ(surface.patches.size(), 1u);
+  ASSERT_EQ(surface.patches[0].high_fault, "F");
+  EXPECT_EQ(made.surfaces[0].name, "F");
+  for (const double y : {70.0, 100.0, 300.0, 520.0}) {
+    const auto cut = loft::cut_along({fault, surface}, trace({{0.0, y}, {1000.0, y}}), made.size);
+    ASSERT_EQ(cut.lines.size(), 2u);
+    EXPECT_LT(geom::distance(cut.lines[0].line, cut.lines[1].line.points.back()), 0.2) << y;
+  }
+  // The lines of the sections stay.
+  for (const auto& s : sections) {
+    const auto cut = loft::cut_along(made.surfaces, s.trace, made.size);
+    ASSERT_EQ(cut.lines.size(), 2u);
+    for (std::size_t l = 0; l < 2; ++l) EXPECT_LT(away(s.lines[l].line, cut.lines[l].line), 1e-9 * made.size);
+  }
+}
+
 TEST(LoftUntidy, AFaultThatEndsBetweenSectionsEndsThePiecesThere) {
   auto sections = row(
       4, 1000.0, 600.0, [](double, double) { return 0.0; }, 4);
