@@ -179,9 +179,6 @@ std::vector<std::uint32_t> tell_recovery(const surf::remesh::Charted& charted, J
   return recovered.patches().patch_of;
 }
 
-/// The format that the chart is written in: that of meshes with numbers at their points.
-const io::formats::Format& chart_format() { return *io::formats::format_named("vtu", io::formats::Use::WriteMesh); }
-
 Result<int> parametrise_job(Session& session, const ParametriseCommand& command) {
   DOBRA_TRY(const ParametriseParams params, command.options.read());
   if (command.out) {
