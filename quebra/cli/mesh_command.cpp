@@ -15,7 +15,6 @@
 
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
-#include "quebra/cli/surface_report.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/surface_layers.h"
@@ -24,6 +23,7 @@
 #include "quebra/model/mesh_files.h"
 #include "quebra/model/model.h"
 #include "shared/base/text.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/remarks.h"
 #include "shared/cli/staging.h"
@@ -173,7 +173,7 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   }
   json["seconds"]["total"] = total;
   json["peak_memory"] = figures.peak_memory;
-  if (model.surfaces) json["findings"] = findings_json(core::findings_of(model), model.units);
+  if (model.surfaces) json["findings"] = dobra::cli::findings_json(core::findings_of(model), model.units);
   json["remarks"] = remarks;
   return text_of(json);
 }
@@ -303,9 +303,9 @@ Result<void> tell_refusal(Session& session, const MeshOptions& options, const Er
   }
   const bool told = std::any_of(findings.begin(), findings.end(),
                                 [&](const auto& finding) { return finding.message == error.message; });
-  if (!told) findings.push_back(finding_of(error));
+  if (!told) findings.push_back(dobra::cli::finding_of(error));
   nlohmann::ordered_json json;
-  json["findings"] = findings_json(findings, {});
+  json["findings"] = dobra::cli::findings_json(findings, {});
   return dobra::cli::print(text_of(json));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -11,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "quebra/cli/surface_report.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
@@ -74,7 +75,7 @@ Result<void> tell_sheet(Session& session, const Json& json, const std::vector<su
 Result<void> tell_sheet_refusal(Session& session, const Error& error) {
   if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
   Json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
+  json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(error)}, {});
   return print_sheet_json(json);
 }
 
@@ -83,6 +84,22 @@ Result<int> with_refusal(Session& session, Work&& work) {
   Result<int> done = work();
   if (!done) DOBRA_TRY_VOID(tell_sheet_refusal(session, done.error()));
   return done;
+}
+
+/// Boundaries as solids have them, and all other files of polygons in space.
+Result<dobra::mesh::PolygonMesh> read_sheet(const std::string& path) {
+  return io::formats::format_of(path, io::formats::Use::ReadMesh) != nullptr &&
+                 io::formats::format_of(path, io::formats::Use::ReadPolygons) == nullptr
+             ? io::formats::read_boundary(path)
+             : io::formats::read_polygons(path);
+}
+
+std::vector<std::string> sheet_endings() {
+  std::vector<std::string> endings = io::formats::boundary_endings();
+  for (std::string& ending : io::formats::endings_for(io::formats::Use::ReadPolygons)) {
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) endings.push_back(std::move(ending));
+  }
+  return endings;
 }
 
 Json point_json(geom::Point3 p) { return {p.x, p.y, p.z}; }
@@ -171,7 +188,7 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
   auto charted = surf::remesh::chart_mesh(
       mesh, {.weights = params.weights, .border = params.border, .stones = {.turn = params.corner.degrees()}});
   if (!charted) return base::located(charted.error(), {.file = command.file.string()});
@@ -193,7 +210,7 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
         {{"point", point_json(charted->opened.sheet.points[v])}, {"uv", Json{chart.uv[v].x, chart.uv[v].y}}});
   }
   json["seconds"] = watch.seconds();
-  json["findings"] = findings_json(charted->findings, {});
+  json["findings"] = dobra::cli::findings_json(charted->findings, {});
   if (command.out) {
     DOBRA_TRY_VOID(write_staged(session, *command.out,
                                 [&](const std::string& path) { return write_chart(path, *charted, patch_of); }));
@@ -289,7 +306,7 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
   const double read = watch.seconds();
   auto made = surf::remesh::remesh(mesh, options, session.progress());
   if (!made) return base::located(made.error(), {.file = command.file.string()});
@@ -301,13 +318,13 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
   }
   json["seconds"] = {
       {"read", read}, {"remesh", meshed - read}, {"write", watch.seconds() - meshed}, {"total", watch.seconds()}};
-  json["findings"] = findings_json(made->findings, {});
+  json["findings"] = dobra::cli::findings_json(made->findings, {});
   DOBRA_TRY_VOID(tell_sheet(session, json, made->findings));
   return 0;
 }
 
 void add_mesh(CLI::App& app, Path& file) {
-  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(io::formats::boundary_endings(), " ")))
+  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(sheet_endings(), " ")))
       ->required()
       ->type_name("MESH");
 }

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "quebra/cli/placement.h"
 #include "quebra/solids/cap_domain.h"
 #include "quebra/solids/parts.h"
 #include "quebra/solids/tree_check.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/placement.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/scenario/runner.h"
@@ -22,10 +22,11 @@ namespace {
 using namespace dobra;
 using base::Error;
 using base::ErrorCode;
+using base::Finding;
 using base::Result;
+using dobra::cli::Bodies;
 using dobra::cli::Session;
 using solid::Contact;
-using surf::mesh::Finding;
 
 Result<const solids::Part*> chosen_part(const solids::Parts& parts, const std::string& name) {
   if (parts.parts.empty()) return Error{ErrorCode::BadValue, "the scenario makes no parts"};
@@ -93,7 +94,7 @@ Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& f
       bodies.bodies.push_back({body.material, body.solid});
       continue;
     }
-    DOBRA_TRY(const solid::Matrix numbers, parse_matrix(*matrix));
+    DOBRA_TRY(const solid::Matrix numbers, dobra::cli::parse_matrix(*matrix));
     DOBRA_TRY(solid::csg::Evaluated placed, solid::csg::Evaluator().evaluate(solid::csg::placed(body.tree, numbers)));
     if (placed.rounded > 0)
       findings.push_back({"placed_rounded",
@@ -104,28 +105,6 @@ Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& f
     bodies.bodies.push_back({body.material, std::move(placed.solid)});
   }
   return bodies;
-}
-
-Result<solid::CutPlane> parse_plane(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    const auto value = base::parse_number(word);
-    if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadValue, fmt::format("--cut: '{}' is not a finite number", word)};
-    numbers.push_back(*value);
-    begin = end + 1;
-  }
-  if (numbers.size() != 4) {
-    return Error{
-        ErrorCode::BadValue,
-        fmt::format("--cut has {} numbers: give a,b,c,d of the plane a x + b y + c z + d = 0", numbers.size())};
-  }
-  const solid::CutPlane plane{numbers[0], numbers[1], numbers[2], numbers[3]};
-  if (const auto frame = solid::frame_of(plane); !frame)
-    return Error{ErrorCode::BadValue, "--cut: " + frame.error().message};
-  return plane;
 }
 
 nlohmann::ordered_json json_of(const CutFigures& figures) {

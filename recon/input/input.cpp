@@ -330,6 +330,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
     }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
+  result.trace = settings.trace ? settings.trace : plane;
   DOBRA_TRY_VOID(set_ends(input, settings, plane, result.section));
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));

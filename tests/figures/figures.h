@@ -33,6 +33,7 @@ std::vector<Figure> paper_figures();
 std::vector<Figure> import_figures();
 std::vector<Figure> free_border_figures();
 std::vector<Figure> param_figures();
+std::vector<Figure> loft_figures();
 
 /// One surface from the usual sides (space_figures.cpp).
 base::Result<void> write_projection(const std::filesystem::path& path);

@@ -2,8 +2,9 @@
 // Solids between plane sections: every region of a section is joined to the region that stands for it in the next.
 // Sections agree if their lines, with names and sides, hang together in the same way; the order of lines and their
 // numbers of points do not matter. Each line becomes one band of triangles between two sections, so that parts on its
-// two sides meet in the same triangles. Page: docs/algorithms/loft.md. Source: [fuchs1977surface] (bands between
-// contours); how sections are matched is ours.
+// two sides meet in the same triangles. The surface of one line through many sections is surf/loft/loft.h. Page:
+// docs/algorithms/section_loft.md. Source: [fuchs1977surface] (bands
+// between contours); how sections are matched is ours.
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 // The lines of a plane section as a map: which lines follow each other round its regions, and how one map is laid onto
 // another that hangs together in the same way. A side of a line is a dart: 2 i runs along line i, 2 i + 1 against it,
-// each with its region on its left. Page: docs/algorithms/loft.md.
+// each with its region on its left. Page: docs/algorithms/section_loft.md.
 
 #include <cstdint>
 #include <string>

@@ -185,9 +185,6 @@ TEST(Remesh, MeshesThatAreNoSheetAreRefusedWithTheirPlace) {
     EXPECT_EQ(remesh(plane, {.size = bad}).error().code, base::ErrorCode::InvalidOption);
     EXPECT_EQ(remesh(plane, {.size = 0.5, .chord = bad}).error().code, base::ErrorCode::InvalidOption);
   }
-  const PolygonMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  EXPECT_FALSE(remesh(tetrahedron, {.size = 0.5}).ok());
 }
 
 TEST(Remesh, OneTriangleAndASizeBeyondTheMeshAreMeshed) {

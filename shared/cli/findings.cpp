@@ -1,10 +1,8 @@
-#include "quebra/cli/surface_report.h"
+#include "shared/cli/findings.h"
 
 #include "shared/scenario/units.h"
 
-namespace quebra::cli {
-
-using namespace dobra;
+namespace dobra::cli {
 
 namespace {
 
@@ -100,10 +98,9 @@ nlohmann::ordered_json place_json(const base::Place& place, const scenario::Unit
 
 }  // namespace
 
-nlohmann::ordered_json findings_json(const std::vector<surf::mesh::Finding>& findings,
-                                     const scenario::UnitSystem& units) {
+nlohmann::ordered_json findings_json(const std::vector<base::Finding>& findings, const scenario::UnitSystem& units) {
   auto json = nlohmann::ordered_json::array();
-  for (const surf::mesh::Finding& finding : findings) {
+  for (const base::Finding& finding : findings) {
     json.push_back({{"code", finding.code},
                     {"message", scenario::message_in_units(finding.message, units)},
                     {"place", place_json(finding.place, units)}});
@@ -111,8 +108,8 @@ nlohmann::ordered_json findings_json(const std::vector<surf::mesh::Finding>& fin
   return json;
 }
 
-surf::mesh::Finding finding_of(const base::Error& error) {
+base::Finding finding_of(const base::Error& error) {
   return {name_of(error.code), error.message, error.place.value_or(base::Place{})};
 }
 
-}  // namespace quebra::cli
+}  // namespace dobra::cli
