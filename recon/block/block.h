@@ -1,7 +1,7 @@
 #pragma once
 // A section made a block: its units extruded along strike, each a solid, neighbours with the same faces between them.
 // Block coordinates: x along the section, y into it as one looks at it (along strike), z up, metres; the section itself
-// stands at y = 0. Page: docs/algorithms/blocks.md. Source: [requicha1980representations] (sweeps).
+// stands at y = 0. Page: docs/algorithms/section_block.md. Source: [requicha1980representations] (sweeps).
 
 #include <memory>
 #include <optional>

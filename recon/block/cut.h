@@ -1,6 +1,6 @@
 #pragma once
 // A block cut by a plane: a section again, with units, horizons, faults and all other lines called as before. Page:
-// docs/algorithms/blocks.md.
+// docs/algorithms/section_block.md.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
 // The lines of a section carried along strike, as surfaces, and where a plane cuts them. Which side of the plane a
-// point is on is decided exactly, so cut lines hang together whatever is rounded. Page: docs/algorithms/blocks.md.
+// point is on is decided exactly, so cut lines hang together whatever is rounded. Page:
+// docs/algorithms/section_block.md.
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 // Which unit every face of a section's subdivision belongs to, and what its edges are called: the plan that blocks are
 // extruded by. Units are the polygons of the section, or where it has none, what horizons, faults and border make.
-// Pages: docs/algorithms/units.md, docs/algorithms/blocks.md.
+// Pages: docs/algorithms/units.md, docs/algorithms/section_block.md.
 
 #include <limits>
 #include <string>

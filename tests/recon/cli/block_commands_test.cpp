@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "recon/core/operations.h"
 #include "shared/io/file.h"
 #include "tests/support/command_line.h"
+#include "tests/support/corpus.h"
 
 namespace recon::cli {
 namespace {
@@ -146,6 +148,26 @@ TEST_F(BlockCommands, AScenarioCutsItsBlockWhenItIsRead) {
   const Outcome missed = call({"restore", scenario("along_strike = 50\ncut = [0, 70, 100, 70]\n"), "--top", "top"});
   EXPECT_EQ(missed.code, 3);
   EXPECT_THAT(missed.err, HasSubstr("misses the block"));
+}
+
+TEST_F(BlockCommands, RealSectionsComeBackFromTheirBlocks) {
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
+  for (const char* folder : {"catskill_fpf", "ragan_isogon_fold"}) {
+    std::string text = "dobra = 1\nprogram = \"recon\"\n[input]\nalong_strike = 3000\nself_crossings = \"cut_loops\"\n";
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(*data / "sections" / folder)) files.push_back(entry);
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files)
+      text += "[[input.horizon]]\nname = \"" + file.stem().string() + "\"\nfile = \"" + file.string() + "\"\n";
+    const std::string section = put("real.toml", text);
+    const Json block = told({"block", section});
+    EXPECT_EQ(block["volume"], 3000.0 * block["area"].get<double>()) << folder;
+    const Json cut = told({"cut", section, "--trace", "0,0,1000,0", "--out", path("own.toml")});
+    EXPECT_NEAR(cut["area"].get<double>(), block["area"].get<double>(), 1e-12 * block["area"].get<double>());
+    for (const Json& finding : cut["findings"]) EXPECT_EQ(finding["code"], "section_remark") << finding;
+    EXPECT_EQ(told({"block", path("own.toml"), "--along-strike", "3000"})["units"], block["units"]) << folder;
+  }
 }
 
 }  // namespace

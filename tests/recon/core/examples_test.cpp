@@ -54,6 +54,8 @@ TEST(Examples, REC_c_CosineMeetsItsExpectations) { expect_met(bundled("cosine.to
 
 TEST(Examples, ChainMeetsItsExpectations) { expect_met(bundled("chain.toml")); }
 
+TEST(Examples, ABlockCutToANewSectionMeetsItsExpectations) { expect_met(bundled("fault_block.toml")); }
+
 TEST(Examples, ListricFaultsMeetTheirExpectations) { expect_met(bundled("listric.toml")); }
 
 TEST(Examples, SectionsInSpaceGiveAFifthOneThatIsRestored) {
