@@ -25,18 +25,16 @@ using dobra::cli::Job;
 using dobra::cli::Session;
 
 struct SpaceOptions {
-  std::filesystem::path file;
+  std::string file;
   dobra::cli::ParameterOptions surface;
   dobra::cli::ParameterOptions cut, block;
   std::optional<std::filesystem::path> out;
 };
 
-void add_file(CLI::App& app, SpaceOptions& options) {
-  app.add_option("file", options.file,
-                 "A scenario (.toml): sections in space, [[input.section]]; or, to be cut, one "
-                 "section that is extruded to a block")
-      ->required()
-      ->type_name("FILE");
+void add_space(CLI::App& app, SpaceOptions& options) {
+  add_file(app, options.file,
+           "A scenario (.toml): sections in space, [[input.section]]; or, to be cut, one section that is extruded to a "
+           "block");
   options.surface.add(app, scenario::fields_of<space::SurfaceParams>());
 }
 
@@ -94,7 +92,8 @@ Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const auto& model = scenario::model_of<model::Model>(run.states.back());
   const auto& cut = *model.findings.get<space::CutSection>();
-  const std::string from = document.title.empty() ? options.file.stem().string() : document.title;
+  const std::string from =
+      document.title.empty() ? std::filesystem::path(options.file).stem().string() : document.title;
   const scenario::Document section = core::document_of(cut, fmt::format("{}, cut", from));
   DOBRA_TRY_VOID(write_out(session, options.out, section, run.states.back(), cut.section));
   DOBRA_TRY_VOID(dobra::cli::print(as_json(session) ? cut_json(model) : cut_table(model)));
@@ -109,7 +108,7 @@ Result<int> cut_extruded(Session& session, const SpaceOptions& options) {
     return base::Error{base::ErrorCode::BadUsage,
                        "options of surfaces are for documents with [[input.section]]; this one has a section that is "
                        "extruded to a block"};
-  BlockCutOptions block{options.file.string(), {}, options.out};
+  BlockCutOptions block{options.file, {}, options.out};
   DOBRA_TRY_VOID(options.block.set(session.program.input_fields, block.input));
   if (const scenario::Value* trace = cut.find("trace")) block.input.set("cut", *trace);
   return cut_block(session, block);
@@ -117,7 +116,7 @@ Result<int> cut_extruded(Session& session, const SpaceOptions& options) {
 
 /// What is cut goes by what the document holds.
 Result<int> cut_job(Session& session, const SpaceOptions& options) {
-  if (options.file.extension() != ".toml") return cut_extruded(session, options);
+  if (std::filesystem::path(options.file).extension() != ".toml") return cut_extruded(session, options);
   DOBRA_TRY(const scenario::Document document, scenario::read_document(options.file));
   if (document.input.find("section") == nullptr) return cut_extruded(session, options);
   if (options.block.any())
@@ -131,10 +130,8 @@ Result<int> cut_job(Session& session, const SpaceOptions& options) {
 dobra::cli::Command surface_command() {
   return {"surface", "Lay surfaces through equally named lines of several sections", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<SpaceOptions>();
-            add_file(app, *options);
-            app.add_option("--out", options->out,
-                           fmt::format("Surfaces to write ({})", fmt::join(space::surface_endings(), " ")))
-                ->type_name("FILE");
+            add_space(app, *options);
+            add_out_file(app, options->out, fmt::format("Surfaces ({})", fmt::join(space::surface_endings(), " ")));
             return [options](Session& session) { return with_refusal(session, surface_job(session, *options)); };
           }};
 }
@@ -142,7 +139,7 @@ dobra::cli::Command surface_command() {
 dobra::cli::Command cut_command() {
   return {"cut", "Cut a new section out of surfaces through sections, or out of a block", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<SpaceOptions>();
-            add_file(app, *options);
+            add_space(app, *options);
             options->cut.add(app, scenario::fields_of<space::CutParams>());
             options->block.add(app, scenario::fields_of<input::SectionInput>(), {"along_strike"});
             add_out(app, options->out, "lines of the new section");
