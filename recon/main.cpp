@@ -35,6 +35,6 @@ int main(int argc, char** argv) {
       recon::core::program(), argc, argv, window,
       {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
        recon::cli::faults_command(), recon::cli::move_command(), recon::cli::invert_command(),
-       recon::cli::predict_command(), recon::cli::block_command(), recon::cli::surface_command(),
-       recon::cli::cut_command(), dobra::cli::convert_command()});
+       recon::cli::predict_command(), recon::cli::block_command(), recon::cli::solid_command(),
+       recon::cli::surface_command(), recon::cli::cut_command(), dobra::cli::convert_command()});
 }
