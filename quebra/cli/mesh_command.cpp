@@ -12,6 +12,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
@@ -145,16 +146,22 @@ struct Figures {
   std::size_t peak_memory = 0;  ///< Bytes.
 };
 
+constexpr std::array counts{"work.steps",     "work.triangles", "work.front", "elements",
+                            "quadrilaterals", "nodes",          "tips"};
+constexpr std::array measures{"area",         "area_surface",    "alpha_mean",    "alpha_90",
+                              "alpha_min",    "min_angle",       "max_angle",     "gradation_p95",
+                              "jacobian_min", "quad_shape_mean", "quad_shape_min"};
+
+bool is_one(std::span<const char* const> names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 Figures figures_of(const scenario::Program& program, const scenario::State& state) {
-  constexpr std::array wanted{
-      "work.steps", "work.triangles", "work.front",    "elements",     "quadrilaterals",  "nodes",
-      "tips",       "area",           "area_surface",  "alpha_mean",   "alpha_90",        "alpha_min",
-      "min_angle",  "max_angle",      "gradation_p95", "jacobian_min", "quad_shape_mean", "quad_shape_min"};
   Figures figures;
   const bool at_work = scenario::model_of<model::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
     if (at_work != quantity.name.starts_with("work.")) continue;
-    if (std::find(wanted.begin(), wanted.end(), quantity.name) != wanted.end()) figures.values.push_back(quantity);
+    if (is_one(counts, quantity.name) || is_one(measures, quantity.name)) figures.values.push_back(quantity);
   }
   return figures;
 }
@@ -165,7 +172,13 @@ std::string text_of(const nlohmann::ordered_json& json) {
 
 std::string json_text(const Figures& figures, const std::vector<std::string>& remarks, const model::Model& model) {
   nlohmann::ordered_json json;
-  for (const auto& quantity : figures.values) json[quantity.name] = quantity.value;
+  for (const auto& [name, value, unit] : figures.values) {
+    if (is_one(counts, name)) {
+      json[name] = static_cast<std::int64_t>(value);
+    } else {
+      json[name] = value;
+    }
+  }
   double total = 0.0;
   for (const auto& [phase, seconds] : figures.seconds) {
     json["seconds"][phase] = seconds;
