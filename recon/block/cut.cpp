@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -32,6 +33,79 @@ double snapped(double y, const Block& block, double reach) {
 }
 
 CutPlane turned_over(const CutPlane& plane) { return {-plane.a, -plane.b, -plane.c, -plane.d}; }
+
+/// Where a line over the map of the block is in it; empty if nowhere.
+Strip over_block(const Block& block, const geom::Box& section, Point3 origin, geom::Vector3 along) {
+  Strip strip;
+  for (const auto& [at, step, low, high] : {std::array{origin.x, along.x, section.low.x, section.high.x},
+                                            std::array{origin.y, along.y, 0.0, block.length}}) {
+    if (step == 0.0 && (at < low || at > high)) return {0.0, 0.0};
+    if (step == 0.0) continue;
+    const auto [first, last] = std::minmax({(low - at) / step, (high - at) / step});
+    strip.from = std::max(strip.from, first);
+    strip.to = std::min(strip.to, last);
+  }
+  return strip;
+}
+
+/// From 0 to the length of the trace; an end within `reach` of the block's is none. Empty if the trace ends before the
+/// block begins.
+Strip strip_of(double length, const Strip& over, double reach) {
+  Strip strip{0.0, length};
+  if (over.empty()) return strip;
+  if (over.from >= length - reach || over.to <= reach) return {0.0, 0.0};
+  if (over.from >= -reach) strip.from = Strip().from;
+  if (over.to <= length + reach) strip.to = Strip().to;
+  return strip;
+}
+
+/// The loops of a region in the axes of the cut, the region on their left.
+std::vector<geom::Polyline> loops_of(const dobra::solid::CapRegion& region, const dobra::solid::SectionFrame& from,
+                                     const CutFrame& to) {
+  std::vector<geom::Polyline> loops;
+  const Point* start = nullptr;
+  for (const geom::Segment& side : region.sides) {
+    if (start == nullptr) {
+      start = &side.from;
+      loops.push_back({{}, true});
+    }
+    const geom::Vector3 p = from.in_space(side.from) - to.origin;
+    loops.back().points.push_back({dot(p, to.along), dot(p, to.up)});
+    if (side.to == *start) start = nullptr;
+  }
+  if (dot(from.along, to.along) < 0.0) {  // seen from behind
+    for (geom::Polyline& loop : loops) loop = geom::reversed(std::move(loop));
+  }
+  return loops;
+}
+
+/// How much of each unit the solids have in the plane.
+void measure_units(const Block& block, const dobra::solid::Cap& cap, BlockCut& made) {
+  std::map<std::uint32_t, CutUnit> units;
+  for (const dobra::solid::CapRegion& region : cap.regions) {
+    CutUnit within{block.units[region.solid].name, region.area, 1};
+    if (made.frame.strip.bounded()) {
+      within.area = 0.0;
+      within.parts = 0;
+      for (const geom::Polyline& loop : loops_within(loops_of(region, cap.frame, made.frame), made.frame.strip)) {
+        const double area = geom::signed_area(loop);
+        within.area += area;
+        if (area > 0.0) ++within.parts;
+      }
+    }
+    if (within.parts == 0) continue;
+    CutUnit& unit = units[region.solid];
+    unit.name = within.name;
+    unit.area += within.area;
+    unit.parts += within.parts;
+    made.area += within.area;
+  }
+  for (auto& [number, unit] : units) made.units.push_back(std::move(unit));
+}
+
+Finding beside_finding() {
+  return {"cut_misses", "the trace ends before it comes to the block; the section is empty", {}};
+}
 
 Finding empty_finding(Contact contact) {
   if (contact == Contact::Nothing) return {"cut_misses", "the plane misses the block; the section is empty", {}};
@@ -81,9 +155,11 @@ class SectionMaker {
       for (const Point3 p : cut.points) line.points.push_back(in_plane(p));
       line = geom::without_repeated_points(std::move(line));
       if (line.points.size() < (line.closed ? 3U : 2U)) continue;
-      const bool backwards = line.points.front().x > line.points.back().x;
-      const bool turn = line.closed ? geom::signed_area(line) < 0.0 : sheet.origin == Origin::Horizon && backwards;
-      lines.push_back(turn ? geom::reversed(std::move(line)) : std::move(line));
+      for (geom::Polyline& piece : line.closed ? loops_within({line}, frame_.strip) : within(line, frame_.strip)) {
+        const bool backwards = piece.points.front().x > piece.points.back().x;
+        const bool turn = piece.closed ? geom::signed_area(piece) < 0.0 : sheet.origin == Origin::Horizon && backwards;
+        lines.push_back(turn ? geom::reversed(std::move(piece)) : std::move(piece));
+      }
     }
     std::stable_sort(lines.begin(), lines.end(), [](const geom::Polyline& a, const geom::Polyline& b) {
       return a.box().centre().x < b.box().centre().x;
@@ -166,18 +242,20 @@ class SectionMaker {
 
   void add_rails() {
     for (const Rail& rail : block_.rails) {
-      const auto at = cut_rail(rail, side_);
-      if (!at) continue;
+      const auto met = cut_rail(rail, side_);
+      if (!met) continue;
+      const Point at = in_plane(*met);
+      if (!frame_.strip.holds(at)) continue;
       if (rail.origin == Origin::BlockName) {
         section::BlockName named = block_.section.block_names[rail.index];
-        named.at = in_plane(*at);
+        named.at = at;
         section_.block_names.push_back(std::move(named));
         continue;
       }
       const section::Marker& marker = block_.section.markers[rail.index];
       if (section_.markers.empty() || section_.markers.back().name != marker.name)
         section_.markers.push_back({section::MarkerId(section_.markers.size()), marker.name, {}, marker.source});
-      section_.markers.back().points.push_back(in_plane(*at));
+      section_.markers.back().points.push_back(at);
     }
   }
 
@@ -208,8 +286,7 @@ class SectionMaker {
 void make_faces(BlockCut& cut) {
   auto faces = faces_of(cut.section);
   if (!faces) {
-    cut.findings.push_back({"cut_flawed", "RECON has this against the section as it stands: " + faces.error().message,
-                            faces.error().place.value_or(base::Place{})});
+    cut.findings.push_back(flaw_finding(faces.error()));
     return;
   }
   double area = 0.0;
@@ -228,15 +305,21 @@ void make_faces(BlockCut& cut) {
 
 }  // namespace
 
+Finding flaw_finding(const base::Error& error) {
+  return {"cut_flawed", fmt::format("RECON has this against the section as it stands: {}", error.message),
+          error.place.value_or(base::Place{})};
+}
+
 base::Result<CutFrame> cut_over(const Block& block, Point from, Point to, const CutOptions& options) {
   DOBRA_TRY_VOID(dobra::io::lines::trace_between(from, to));
   Point3 a = block.in_block({from.x, from.y, 0.0});
   Point3 b = block.in_block({to.x, to.y, 0.0});
-  double reach = block.length;
+  geom::Box section;
   for (const Sheet& sheet : block.sheets) {
-    for (const Point3 p : sheet.stations[0]) reach = std::max(reach, std::abs(p.x));
+    for (const Point3 p : sheet.stations[0]) section.add(Point{p.x, p.z});
   }
-  reach = options.snap * std::max({reach, std::abs(block.trace.x), std::abs(block.trace.y)});
+  const double reach = options.snap * std::max({block.length, std::abs(section.low.x), std::abs(section.high.x),
+                                                std::abs(block.trace.x), std::abs(block.trace.y)});
   const double a_snapped = snapped(a.y, block, reach);
   const double b_snapped = snapped(b.y, block, reach);
   if (a_snapped == b_snapped) {
@@ -250,6 +333,7 @@ base::Result<CutFrame> cut_over(const Block& block, Point from, Point to, const 
   // Not divided by the length of the trace, so that a plane through round numbers is one exactly.
   const geom::Vector3 run = a.y == b.y ? frame.along : b - a;
   frame.plane = {run.y, -run.x, 0.0, run.x * a.y - run.y * a.x};
+  frame.strip = strip_of(length(b - a), over_block(block, section, a, frame.along), reach);
   return frame;
 }
 
@@ -258,12 +342,16 @@ base::Result<CutFrame> cut_by(const Block& block, const CutPlane& on_map) {
   const CutPlane plane{on_map.a * trace.east + on_map.b * trace.north, on_map.b * trace.east - on_map.a * trace.north,
                        on_map.c, on_map.d + on_map.a * trace.x + on_map.b * trace.y};
   DOBRA_TRY(const dobra::solid::SectionFrame frame, dobra::solid::frame_of(plane));
-  return CutFrame{plane, frame.origin, frame.along, frame.up};
+  return CutFrame{plane, frame.origin, frame.along, frame.up, {}};
 }
 
 base::Result<BlockCut> cut(const Block& block, const CutFrame& frame) {
   BlockCut made;
   made.frame = frame;
+  if (frame.strip.empty()) {
+    made.findings.push_back(beside_finding());
+    return made;
+  }
   DOBRA_TRY(dobra::solid::Section section, block.sections->cut(frame.plane));
   dobra::solid::Cap cap = cap_of(section);
   if (cap.empty()) {
@@ -282,15 +370,12 @@ base::Result<BlockCut> cut(const Block& block, const CutFrame& frame) {
     made.findings.push_back(empty_finding(made.contact));
     return made;
   }
-  std::map<std::uint32_t, CutUnit> units;
-  for (const dobra::solid::CapRegion& region : cap.regions) {
-    CutUnit& unit = units[region.solid];
-    unit.name = block.units[region.solid].name;
-    unit.area += region.area;
-    ++unit.parts;
-    made.area += region.area;
+  measure_units(block, cap, made);
+  if (made.empty()) {
+    made.contact = Contact::Nothing;
+    made.findings.push_back(beside_finding());
+    return made;
   }
-  for (auto& [number, unit] : units) made.units.push_back(std::move(unit));
   const PlaneSide side(made.frame.plane);
   made.section = SectionMaker(block, made.frame, side).make(made.findings);
   make_faces(made);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recon/block/block.h"
+#include "recon/block/strip.h"
 #include "shared/solid/boolean.h"
 
 namespace recon::block {
@@ -15,19 +16,20 @@ struct CutFrame {
   dobra::solid::CutPlane plane;
   geom::Point3 origin;
   geom::Vector3 along, up;
+  Strip strip;  ///< The section ends there; without bounds it goes as far as the block.
 };
 
 struct CutOptions {
-  /// A trace whose ends lie this fraction of the block's extent or less off one of the block's ends lies in it: what
-  /// places on the map lose when they are rounded.
+  /// A trace whose ends lie this fraction of the block's extent or less off one of the block's ends lies in it, and one
+  /// that ends as near to a side of the block goes to it: what places on the map lose when they are rounded.
   double snap = 1e-12;
 };
 
-/// The vertical plane over a trace on the map; x = 0 is its first point, y the height. The plane goes on beyond the
-/// trace.
+/// The vertical plane over a trace on the map; x = 0 is its first point, y the height. The section ends where the trace
+/// ends, or the block.
 /// @error InvalidOption: both points are one, or not finite.
 base::Result<CutFrame> cut_over(const Block& block, geom::Point from, geom::Point to, const CutOptions& options = {});
-/// Any plane, in map coordinates, with the axes of solid::frame_of().  @error as that
+/// Any plane, in map coordinates, with the axes of solid::frame_of(), as far as the block.  @error as that
 base::Result<CutFrame> cut_by(const Block& block, const dobra::solid::CutPlane& plane_on_map);
 
 /// What of a unit lies in the plane.
@@ -49,6 +51,9 @@ struct BlockCut {
 
   [[nodiscard]] bool empty() const { return units.empty(); }
 };
+
+/// cut_flawed: what RECON has against a section.
+base::Finding flaw_finding(const base::Error& error);
 
 /// A plane in one of the block's ends gives the section of that end. A line that the plane cuts several times becomes
 /// pieces, "A (1)", "A (2)", ...; a hanging wall on the left is on the right where the cut is seen from behind.

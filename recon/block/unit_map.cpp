@@ -8,6 +8,7 @@
 
 #include "recon/input/unit_owners.h"
 #include "recon/section/face_contours.h"
+#include "recon/section/file_rounding.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/contour.h"
 #include "shared/geom/place.h"
@@ -65,6 +66,37 @@ std::string whole_unit_name(const section::Section& section, const section::Rock
                                : unit.name;
 }
 
+/// Ends of horizons that rounding left beside their fault: there the units above and below run together. Those farther
+/// off are told when the section is read.
+void tell_rounded_ends(const section::Section& section, UnitMap& map) {
+  const Subdivision& sub = map.arrangement.subdivision();
+  std::map<std::pair<double, double>, topo::VertexId> loose;
+  for (const topo::VertexId v : sub.vertices()) {
+    if (sub.degree(v) == 1) loose[{sub.point(v).x, sub.point(v).y}] = v;
+  }
+  const double near = rounding_of_files(section);
+  for (const section::Horizon& horizon : section.horizons) {
+    for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
+      const geom::Point p = end == section::LineEnd::First ? horizon.line.points.front() : horizon.line.points.back();
+      const auto at = loose.find({p.x, p.y});
+      if (at == loose.end() || is_outermost(section, horizon, end)) continue;
+      const topo::VertexId next = sub.target(sub.round(at->second).front());
+      if (sub.degree(next) > 2 && geom::distance(sub.point(next), p) <= near) continue;  // it goes on past the fault
+      for (const section::SectionLine& line : section.lines) {
+        const double gap = geom::distance(line.line, p);
+        if (line.kind != section::LineKind::Fault || gap > near) continue;
+        map.findings.push_back(
+            {"open_end",
+             fmt::format("horizon '{}' ends {:.4g} m beside fault '{}', so that the units above and below it run "
+                         "together there and may be open; snap_to_faults (--snap) moves its end onto the fault",
+                         horizon.name, gap, line.name),
+             geom::place_at(p)});
+        break;
+      }
+    }
+  }
+}
+
 base::Result<UnitMap> by_horizons(const section::Section& section) {
   DOBRA_TRY(section::UnitFaces faces, unit_faces_of(section));
   UnitMap map;
@@ -87,6 +119,7 @@ base::Result<UnitMap> by_horizons(const section::Section& section) {
                                         find_horizon(section, open.under)->name),
                             geom::place_at(open.place)});
   }
+  tell_rounded_ends(section, map);
   name_edges(faces.lines, map);
   spread_units(map);
   return map;

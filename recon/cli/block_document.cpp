@@ -7,7 +7,6 @@
 #include "recon/block/cut_input.h"
 #include "recon/input/section_input.h"
 #include "recon/model/model.h"
-#include "shared/cli/commands.h"
 #include "shared/scenario/runner.h"
 
 namespace recon::cli {
@@ -43,11 +42,20 @@ void copy_line_colours(const scenario::Table& from, scenario::Table& to) {
 }  // namespace
 
 Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document document) {
+  if (document.input.find("section") != nullptr) {
+    return Error{
+        ErrorCode::BadSection,
+        "the document holds several sections in space; a block is made of one: cut it from the surfaces through "
+        "them ('recon cut'), or open the file of one",
+        base::Place{.file = document.file.string(), .item = "input"}};
+  }
   document.input.erase("cut");
   document.steps.clear();
   document.expects.clear();
   DOBRA_TRY_VOID(scenario::check(document, session.program));
-  DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
+  scenario::Runner runner(session.program);
+  const scenario::Run run = runner.run(document, session.progress());  // its remarks are findings of the block
+  if (run.error) return *run.error;
   const auto& model = scenario::model_of<model::Model>(run.states.back());
   if (!(model.along_strike > 0.0)) {
     return Error{ErrorCode::MissingKey,
@@ -104,8 +112,7 @@ std::optional<base::Finding> flaw_of(dobra::cli::Session& session, const scenari
   named.file = file;
   const scenario::Run run = scenario::Runner(session.program).run(named);
   if (!run.error) return std::nullopt;
-  return base::Finding{"cut_flawed", "RECON has this against the section as it stands: " + run.error->message,
-                       run.error->place.value_or(base::Place{})};
+  return block::flaw_finding(*run.error);
 }
 
 }  // namespace recon::cli

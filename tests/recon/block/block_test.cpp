@@ -179,6 +179,27 @@ TEST(Block, OverlapsAndGapsOfPolygonsAreTold) {
   expect_conforming(block);
 }
 
+TEST(Block, AnEndThatRoundingLeftBesideItsFaultIsToldAndOneOnItOrPastItIsNot) {
+  const auto shifted = [](double by) {
+    section::Section section = test::faulted();
+    section.faces = nullptr;
+    section.horizons[0].line.points.back().x += by;  // the end of "top (1)" at F
+    return test::block(test::made(section), 5.0);
+  };
+  const auto at_ends = [](const Block& block) {
+    std::vector<Point> places;
+    for (const base::Finding& finding : block.findings) {
+      if (finding.code == "open_end") places.push_back({*finding.place.x, *finding.place.y});
+    }
+    return places;
+  };
+  EXPECT_TRUE(at_ends(shifted(0.0)).empty());
+  EXPECT_TRUE(at_ends(shifted(2e-5)).empty());
+  EXPECT_EQ(at_ends(shifted(-2e-5)), (std::vector<Point>{{40.0 - 2e-5, 0.0}}));
+  EXPECT_TRUE(at_ends(shifted(-5.0)).empty());                // told when the section is read
+  EXPECT_GT(shifted(0.0).area, shifted(-2e-5).area + 100.0);  // what lies there is open
+}
+
 TEST(Block, HorizonsThatRunTogetherShareTheirFaces) {
   section::Section section;
   section.horizons = {horizon("top", {{0, 0}, {100, 0}}), horizon("cut", {{0, -10}, {50, -20}, {100, -20}}),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -112,7 +113,7 @@ TEST(BlockCut, PolygonsComeBackToo) {
   section.units = {unit("salt", {{0, -10}, {10, -10}, {10, 0}, {0, 0}}),
                    unit("lens", {{4, -6}, {6, -6}, {6, -4}, {4, -4}})};
   const Block block = test::block(test::made(section), 5.0);
-  const BlockCut cut = cut_along(block, {0, 0}, {1, 0});
+  const BlockCut cut = cut_along(block, {0, 0}, {10, 0});
   expect_same(section, cut.section);
   ASSERT_EQ(cut.units.size(), 2U);
   EXPECT_NEAR(cut.units[0].area, 96.0, 1e-10);
@@ -127,7 +128,8 @@ TEST(BlockCut, AtAnAngleToStrikeBedsHaveTheirApparentDip) {
   const Block block = test::block(test::made(section), 500.0);
   for (const double angle : {5.0, 30.0, 60.0, 75.0, 120.0, -20.0}) {  // from the section to the cut
     const Point from{angle > 90.0 ? 100.0 : 0.0, angle < 0.0 ? 400.0 : 0.0};
-    const BlockCut cut = cut_along(block, from, {from.x + std::cos(angle * degree), from.y + std::sin(angle * degree)});
+    const BlockCut cut =
+        cut_along(block, from, {from.x + 500.0 * std::cos(angle * degree), from.y + 500.0 * std::sin(angle * degree)});
     ASSERT_EQ(cut.section.horizons.size(), 2U) << angle;
     const std::vector<Point>& top = cut.section.horizons[0].line.points;
     const double apparent = std::atan2(top.back().y - top.front().y, top.back().x - top.front().x);
@@ -216,6 +218,92 @@ TEST(BlockCut, WhatLeavesTheBlockEndsAtItsEnd) {
   EXPECT_EQ(cut.section.faces->units.size(), 2U);
 }
 
+TEST(BlockCut, ATraceThatEndsBeforeTheBlockGivesNothing) {
+  const Block block = test::block(test::layers(), 40.0);
+  for (const auto& [from, to] : {std::pair(Point{-90, 20}, Point{-1, 20}), std::pair(Point{101, 20}, Point{190, 20}),
+                                 std::pair(Point{-90, 20}, Point{0, 20}), std::pair(Point{50, 41}, Point{50, 90}),
+                                 std::pair(Point{10, -60}, Point{20, -1}), std::pair(Point{190, 20}, Point{100, 20})}) {
+    const BlockCut cut = cut_along(block, from, to);
+    EXPECT_TRUE(cut.empty()) << from.x;
+    EXPECT_TRUE(cut.section.horizons.empty());
+    EXPECT_EQ(cut.area, 0.0);
+    EXPECT_TRUE(told(cut.findings, "cut_misses"));
+  }
+  EXPECT_FALSE(cut_along(block, {-90, 20}, {1, 20}).empty());
+}
+
+TEST(BlockCut, TheSectionEndsWhereTheTraceEnds) {
+  const Block block = test::block(test::layers(), 40.0);
+  const BlockCut cut = cut_along(block, {20, 10}, {60, 10});
+  ASSERT_EQ(cut.section.horizons.size(), 3U);
+  EXPECT_EQ(cut.section.horizons[0].line.points, (std::vector<Point>{{0, 1.6}, {30, 4}, {40, 3.2}}));
+  EXPECT_EQ(cut.section.horizons[1].line.points, (std::vector<Point>{{0, -10}, {40, -10}}));
+  ASSERT_EQ(cut.units.size(), 2U);
+  EXPECT_NEAR(cut.units[0].area, 400.0 + 0.5 * 5.6 * 30.0 + 0.5 * 7.2 * 10.0, 1e-10);
+  EXPECT_NEAR(cut.units[1].area, 400.0, 1e-10);
+  EXPECT_EQ(cut.units[0].parts, 1U);
+  EXPECT_TRUE(cut.findings.empty());
+  EXPECT_EQ(cut.section.faces->units.size(), 2U);
+  // From behind, and askew: 30 m east and 40 m north.
+  const BlockCut behind = cut_along(block, {60, 10}, {20, 10});
+  EXPECT_EQ(behind.section.horizons[0].line.points, (std::vector<Point>{{0, 3.2}, {10, 4}, {40, 1.6}}));
+  EXPECT_NEAR(behind.area, cut.area, 1e-10);
+  const BlockCut askew = cut_along(block, {40, -10}, {64, 22});
+  const std::vector<Point>& top = askew.section.horizons[0].line.points;
+  ASSERT_EQ(top.size(), 3U);
+  EXPECT_NEAR(top[0].x, 12.5, 1e-12);  // the block begins there
+  EXPECT_NEAR(top[1].x, 10.0 / 0.6, 1e-12);
+  EXPECT_EQ(top[2].x, 40.0);
+  EXPECT_NEAR(top[2].y, 4.0 * 36.0 / 50.0, 1e-12);
+  EXPECT_NEAR(askew.units[1].area, 275.0, 1e-10);
+  EXPECT_FALSE(told(askew.findings, "cut_area"));
+}
+
+TEST(BlockCut, WhatLiesBeyondTheTraceIsLeftOut) {
+  const Block block = test::block(everything(), 40.0);
+  const BlockCut cut = cut_along(block, {15, 20}, {65, 20});
+  ASSERT_TRUE(cut.section.border);
+  EXPECT_EQ(cut.section.border->box().low, (Point{0, -28}));
+  EXPECT_EQ(cut.section.border->box().high, (Point{50, 5}));
+  EXPECT_EQ(geom::signed_area(*cut.section.border), 50.0 * 33.0);
+  EXPECT_TRUE(cut.section.block_names.empty());
+  ASSERT_EQ(cut.section.markers.size(), 1U);
+  for (const section::SectionLine& line : cut.section.lines) {
+    EXPECT_NE(line.name, "pin");
+    EXPECT_NE(line.name, "blind");  // it only touches the plane at the trace's end
+  }
+  ASSERT_EQ(cut.section.horizons.size(), 3U);  // "base (2)" begins at x = 70
+  EXPECT_EQ(cut.section.horizons[1].line.points.back(), (Point{50, -4}));
+  EXPECT_NEAR(cut.area, 50.0 * 33.0, 1e-9);
+}
+
+TEST(BlockCut, TwoTracesThatFollowEachOtherHaveTheAreasOfTheWhole) {
+  std::mt19937 random(5);
+  const auto draw = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  section::Section section;
+  section.units = {unit("c", {{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 20}, {30, 20}, {30, 30}, {0, 30}}),
+                   unit("in", {{10, 10}, {30, 10}, {30, 20}, {10, 20}})};
+  const Block block = test::block(test::made(section), 20.0);
+  const auto areas = [&](Point from, Point to) {
+    std::map<std::string, double> found;
+    const BlockCut cut = cut_along(block, from, to);
+    for (const CutUnit& unit : cut.units) found[unit.name] += unit.area;
+    double drawn = 0.0;
+    for (const section::Unit& unit : cut.section.units) drawn += geom::signed_area(unit.contour);
+    EXPECT_NEAR(drawn, cut.area, 1e-9);
+    return found;
+  };
+  for (int i = 0; i < 60; ++i) {
+    const Point a{draw(-5, 35), draw(-5, 25)};
+    const Point c{draw(-5, 35), draw(-5, 25)};
+    const Point b = a + draw(0.1, 0.9) * (c - a);
+    auto whole = areas(a, c);
+    auto first = areas(a, b);
+    auto second = areas(b, c);
+    for (const char* name : {"c", "in"}) EXPECT_NEAR(first[name] + second[name], whole[name], 1e-8) << i << name;
+  }
+}
+
 TEST(BlockCut, PolygonsThatLeaveTheBlockAreClosedAlongItsEnd) {
   section::Section section;  // a C that opens to the right, and what is in it
   section.units = {unit("c", {{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 20}, {30, 20}, {30, 30}, {0, 30}}),
@@ -261,14 +349,15 @@ TEST(BlockCut, RandomPlanesCutWhatTheirSolidsHave) {
   for (int i = 0; i < 60; ++i) {
     const Point from{draw(0, 100), draw(0, 60)};
     const double angle = draw(-80.0, 80.0) * degree;
-    const BlockCut cut = cut_along(block, from, {from.x + std::cos(angle), from.y + std::sin(angle)});
+    const Point start{from.x - 900.0 * std::cos(angle), from.y - 900.0 * std::sin(angle)};
+    const BlockCut cut = cut_along(block, start, {from.x + 900.0 * std::cos(angle), from.y + 900.0 * std::sin(angle)});
     ASSERT_FALSE(cut.empty());
     EXPECT_TRUE(cut.findings.empty()) << cut.findings.front().message;
     ASSERT_EQ(cut.section.horizons.size(), 4U);
     // Every point of a horizon lies on the horizon of the section that was extruded, at its place.
     for (std::size_t h = 0; h < 4; ++h) {
       for (const Point p : cut.section.horizons[h].line.points) {
-        const double x = from.x + p.x * std::cos(angle);
+        const double x = start.x + p.x * std::cos(angle);
         EXPECT_LE(geom::distance(section.horizons[h].line, {x, p.y}), 1e-9);
       }
     }

@@ -54,6 +54,12 @@ TEST_F(BlockCommands, RefusalsSayWhatIsMissing) {
   EXPECT_EQ(call({"block", lines(), "--along-strike", "-3"}).code, 3);
   EXPECT_EQ(call({"block", lines(), "--along-strike", "3", "--out", "block.txt"}).code, 2);
   EXPECT_EQ(call({"block", path("none.csv"), "--along-strike", "3"}).code, 3);
+  const std::string several =
+      put("several.toml",
+          "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 0, "
+          "100, 0]\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 9, 100, 9]\n");
+  EXPECT_THAT(call({"block", several, "--along-strike", "5"}).err, HasSubstr("several sections in space"));
+  EXPECT_THAT(call({"solid", several}).err, HasSubstr("several sections in space"));
   EXPECT_EQ(call({"cut", lines(), "--trace", "0,0,1,1"}).code, 2);
   EXPECT_EQ(call({"cut", scenario(), "--trace", "0,0,1"}).code, 2);
   EXPECT_EQ(call({"cut", scenario()}).code, 2);
@@ -79,6 +85,20 @@ TEST_F(BlockCommands, BlockHasTheVolumesOfItsUnitsAndWritesTheirFaces) {
   EXPECT_THAT(text, HasSubstr("g middle_-_base start\n"));
   for (const char* name : {"block.stl", "block.ply", "block.off"})
     EXPECT_EQ(call({"block", lines(), "--along-strike", "50", "--out", path(name)}).code, 0) << name;
+}
+
+TEST_F(BlockCommands, WhatReadingRemarksIsSaidOnce) {
+  const std::string two =
+      put("two.csv",
+          "x,z,name,kind\n0,0,top,horizon\n40,0,top,horizon\n0,-20,base,horizon\n50,-20,base,horizon\n"
+          "40,-5,top,horizon\n100,-5,top,horizon\n50,-25,base,horizon\n100,-25,base,horizon\n"
+          "40,10,F,fault\n40,-5,F,fault\n50,-20,F,fault\n50,-40,F,fault\n");
+  const Outcome outcome = call({"block", two, "--along-strike", "5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string remark = "horizon 'top' is in 2 pieces";
+  const std::size_t first = outcome.err.find(remark);
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find(remark, first + 1), std::string::npos) << outcome.err;
 }
 
 TEST_F(BlockCommands, SolidTakesTheBlockOfASectionAsOneOrAUnitOfIt) {
