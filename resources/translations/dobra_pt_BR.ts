@@ -6707,6 +6707,14 @@
         <translation>Seções no espaço</translation>
     </message>
     <message>
+        <source>Fault block</source>
+        <translation>Bloco falhado</translation>
+    </message>
+    <message>
+        <source>A section carried along strike, cut at an angle, and restored.</source>
+        <translation>Uma seção levada ao longo da direção, cortada em ângulo e restaurada.</translation>
+    </message>
+    <message>
         <source>Several sections with their traces on the map, instead of the lines of one; for surface and cut.</source>
         <translation>Várias seções com seus traços no mapa, em lugar das linhas de uma; para surface e cut.</translation>
     </message>

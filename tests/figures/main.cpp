@@ -80,7 +80,9 @@ int write_all(const Folder& folder, const std::string& ending, const std::string
       if (asked(figure.name)) failed += failures(figure.name, write_figure(figure, folder, ending));
     }
   }
-  if (asked("boolean")) failed += failures("boolean", write_solids(folder / ("boolean." + ending)));
+  for (const std::string name : {"boolean", "sweeps", "section_loft", "csg", "cap", "section_block"}) {
+    if (asked(name)) failed += failures(name, write_solids(name, folder / (name + "." + ending)));
+  }
   if (asked("projection")) failed += failures("projection", write_projection(folder / ("projection." + ending)));
   const Folder examples = "resources/examples";
   if (asked("fold")) {
