@@ -5,8 +5,8 @@ namespace quebra::cli {
 void add_rule_options(CLI::App& app, dobra::cli::ParameterOptions& options,
                       const std::vector<dobra::scenario::Field>& fields) {
   options.add(app, fields,
-              {"size", "size_formula", "background", "background_field", "division", "growth", "turn", "narrow",
-               "smoothing", "max_elements", "engine", "order", "rosettes"});
+              {"size", "size_formula", "background", "background_field", "division", "growth", "turn", "chord",
+               "narrow", "smoothing", "max_elements", "engine", "order", "rosettes"});
 }
 
 dobra::base::Result<void> set_rules(const dobra::cli::ParameterOptions& options,

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "quebra/cli/surface_report.h"
+#include "shared/cli/parameter_options.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/io/formats/mesh_file.h"
@@ -89,13 +89,39 @@ Json point_json(geom::Point3 p) { return {p.x, p.y, p.z}; }
 
 // ---- parametrise
 
-struct ParametriseCommand {
-  Path file;
+/// What both commands have.
+template <class P, class D>
+void describe_weights(D& d) {
+  d.choice("weights", &P::weights, {"shape-preserving", "mean-value"},
+           {.title = "Weights", .help = "Of the neighbours of a point in the chart."});
+}
+
+struct ParametriseParams {
   surf::param::Weights weights = surf::param::Weights::ShapePreserving;
   surf::param::BorderShape border = surf::param::BorderShape::Auto;
-  double corner = 40.0;
+  base::Angle corner = base::Angle::from_degrees(40.0);
+
+  template <class D>
+  static void describe(D& d) {
+    describe_weights<ParametriseParams>(d);
+    d.choice(
+        "border", &ParametriseParams::border, {"stones", "circle", "auto"},
+        {.title = "Border", .help = "Straight between stones, on a circle, or auto: stones where no triangle flips."});
+    d.field("corner", &ParametriseParams::corner,
+            {.title = "Corner",
+             .help = "The border turns by at least so much at a stone.",
+             .at_least = 1.0,
+             .at_most = 179.0});
+  }
+};
+
+struct ParametriseCommand {
+  Path file;
+  dobra::cli::OptionsOf<ParametriseParams> options{dobra::cli::OutOfRange::BadUsage};
   std::optional<Path> out;
 };
+
+const io::formats::Format& chart_format() { return *io::formats::format_named("vtu", io::formats::Use::WriteMesh); }
 
 /// The chart as a plane mesh, with the place in space of its points and what is flipped.
 Result<void> write_chart(const std::string& path, const surf::remesh::Charted& charted,
@@ -137,16 +163,17 @@ std::vector<std::uint32_t> tell_recovery(const surf::remesh::Charted& charted, J
 }
 
 Result<int> parametrise_job(Session& session, const ParametriseCommand& command) {
+  DOBRA_TRY(const ParametriseParams params, command.options.read());
   if (command.out) {
-    if (command.out->extension() != ".vtu")
-      return Error{base::ErrorCode::BadUsage,
-                   fmt::format("--out {}: the chart is written as .vtu", command.out->string())};
+    if (io::formats::format_of(command.out->string(), io::formats::Use::WriteMesh) != &chart_format())
+      return Error{base::ErrorCode::BadUsage, fmt::format("--out {}: the chart is written as {}", command.out->string(),
+                                                          fmt::join(chart_format().endings, " "))};
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
   DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
   auto charted = surf::remesh::chart_mesh(
-      mesh, {.weights = command.weights, .border = command.border, .stones = {.turn = command.corner}});
+      mesh, {.weights = params.weights, .border = params.border, .stones = {.turn = params.corner.degrees()}});
   if (!charted) return base::located(charted.error(), {.file = command.file.string()});
   const auto& chart = charted->parametrisation;
   Json json;
@@ -177,11 +204,54 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
 
 // ---- remesh
 
+struct RemeshParams {
+  std::optional<double> size, chord;
+  base::Angle crease = base::Angle::from_degrees(surf::remesh::RemeshOptions{}.crease);
+  base::Angle corner = base::Angle::from_degrees(surf::remesh::RemeshOptions{}.corner);
+  double growth = surf::remesh::RemeshOptions{}.growth;
+  surf::param::Weights weights = surf::param::Weights::ShapePreserving;
+
+  template <class D>
+  static void describe(D& d) {
+    d.field("size", &RemeshParams::size,
+            {.title = "Size", .help = "Length of sides; the mean of the mesh where left out.", .above = 0.0});
+    d.field(
+        "chord", &RemeshParams::chord,
+        {.title = "Chord", .help = "Most that the meshes may be apart; sides get smaller where needed.", .above = 0.0});
+    d.field("crease", &RemeshParams::crease,
+            {.title = "Crease",
+             .help = "Where the mesh folds by more it keeps a line; 180 keeps none.",
+             .at_least = 1.0,
+             .at_most = 180.0});
+    d.field("corner", &RemeshParams::corner,
+            {.title = "Corner",
+             .help = "Where the border turns by more it keeps a node.",
+             .at_least = 1.0,
+             .at_most = 179.0});
+    d.field(
+        "growth", &RemeshParams::growth,
+        {.title = "Growth", .help = "Greatest ratio of the sizes of neighbours.", .at_least = 1.01, .at_most = 10.0});
+    describe_weights<RemeshParams>(d);
+  }
+};
+
 struct RemeshCommand {
   Path file;
-  surf::remesh::RemeshOptions options;
+  dobra::cli::OptionsOf<RemeshParams> options{dobra::cli::OutOfRange::BadUsage};
   std::optional<Path> out;
 };
+
+Result<surf::remesh::RemeshOptions> options_of(const RemeshCommand& command) {
+  DOBRA_TRY(const RemeshParams params, command.options.read());
+  surf::remesh::RemeshOptions options;
+  options.size = params.size.value_or(0.0);
+  options.chord = params.chord.value_or(0.0);
+  options.crease = params.crease.degrees();
+  options.corner = params.corner.degrees();
+  options.growth = params.growth;
+  options.weights = params.weights;
+  return options;
+}
 
 bool is_boundary(const Path& path) { return io::formats::check_boundary_ending(path.string()).ok(); }
 
@@ -212,6 +282,7 @@ Json figures_of(const surf::remesh::Remeshed& made) {
 }
 
 Result<int> remesh_job(Session& session, const RemeshCommand& command) {
+  DOBRA_TRY(const surf::remesh::RemeshOptions options, options_of(command));
   if (command.out) {
     if (!is_boundary(*command.out))
       DOBRA_TRY_VOID(io::formats::check_mesh_ending(command.out->string(), io::formats::Use::WriteSpaceMesh));
@@ -220,7 +291,7 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
   const Stopwatch watch;
   DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
   const double read = watch.seconds();
-  auto made = surf::remesh::remesh(mesh, command.options, session.progress());
+  auto made = surf::remesh::remesh(mesh, options, session.progress());
   if (!made) return base::located(made.error(), {.file = command.file.string()});
   const double meshed = watch.seconds();
   Json json = figures_of(*made);
@@ -235,12 +306,6 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
   return 0;
 }
 
-const std::map<std::string, surf::param::Weights> weight_names{
-    {"shape-preserving", surf::param::Weights::ShapePreserving}, {"mean-value", surf::param::Weights::MeanValue}};
-const std::map<std::string, surf::param::BorderShape> border_names{{"auto", surf::param::BorderShape::Auto},
-                                                                   {"stones", surf::param::BorderShape::Stones},
-                                                                   {"circle", surf::param::BorderShape::Circle}};
-
 void add_mesh(CLI::App& app, Path& file) {
   app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(io::formats::boundary_endings(), " ")))
       ->required()
@@ -253,17 +318,10 @@ Command parametrise_command() {
   return {"parametrise", "Find the parameter space of a triangle mesh", [](CLI::App& app) -> Job {
             const auto command = std::make_shared<ParametriseCommand>();
             add_mesh(app, command->file);
-            app.add_option("--weights", command->weights, "Of neighbours: shape-preserving or mean-value")
-                ->transform(CLI::CheckedTransformer(weight_names))
-                ->type_name("NAME");
-            app.add_option("--border", command->border,
-                           "Straight between stones, on a circle, or auto: stones where no triangle flips")
-                ->transform(CLI::CheckedTransformer(border_names))
-                ->type_name("NAME");
-            app.add_option("--corner", command->corner, "Degrees by which the border turns at a stone, at least")
-                ->check(CLI::Range(1.0, 179.0))
-                ->type_name("DEG");
-            app.add_option("--out", command->out, "The chart as a plane mesh, .vtu")->type_name("FILE");
+            command->options.add(app);
+            app.add_option("--out", command->out,
+                           fmt::format("The chart as a plane mesh: {}", fmt::join(chart_format().endings, " ")))
+                ->type_name("FILE");
             return [command](Session& session) {
               return with_refusal(session, [&] { return parametrise_job(session, *command); });
             };
@@ -273,28 +331,8 @@ Command parametrise_command() {
 Command remesh_command() {
   return {"remesh", "Mesh a triangle mesh anew through its parameter space", [](CLI::App& app) -> Job {
             const auto command = std::make_shared<RemeshCommand>();
-            surf::remesh::RemeshOptions& options = command->options;
             add_mesh(app, command->file);
-            app.add_option("--size", options.size, "Length of sides; the mean of the mesh where left out")
-                ->check(CLI::PositiveNumber)
-                ->type_name("L");
-            app.add_option("--chord", options.chord,
-                           "Most that the meshes may be apart; sides get smaller where needed")
-                ->check(CLI::PositiveNumber)
-                ->type_name("D");
-            app.add_option("--crease", options.crease,
-                           "Degrees: where the mesh folds by more it keeps a line; 180 keeps none")
-                ->check(CLI::Range(1.0, 180.0))
-                ->type_name("DEG");
-            app.add_option("--corner", options.corner, "Degrees: where the border turns by more it keeps a node")
-                ->check(CLI::Range(1.0, 179.0))
-                ->type_name("DEG");
-            app.add_option("--growth", options.growth, "Greatest ratio of the sizes of neighbours")
-                ->check(CLI::Range(1.01, 10.0))
-                ->type_name("RATIO");
-            app.add_option("--weights", options.weights, "Of neighbours: shape-preserving or mean-value")
-                ->transform(CLI::CheckedTransformer(weight_names))
-                ->type_name("NAME");
+            command->options.add(app);
             app.add_option("--out", command->out,
                            fmt::format("File to write: {}, or a format of meshes in space",
                                        fmt::join(io::formats::boundary_endings(), " ")))

@@ -14,6 +14,7 @@
 #include "quebra/cli/placement.h"
 #include "quebra/cli/solid_cut.h"
 #include "quebra/cli/surface_report.h"
+#include "shared/cli/parameter_options.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/scenario/units.h"
@@ -46,12 +47,26 @@ constexpr std::array kinds{std::pair{"--unite", Operation::Union}, std::pair{"--
                            std::pair{"--subtract", Operation::Difference}};
 constexpr const char* place_option = "--place";
 
+/// What is taken of scenarios, and the section.
+struct SolidExtras {
+  std::string part;
+  std::optional<std::string> cut;
+  template <class D>
+  static void describe(D& d) {
+    d.field("part", &SolidExtras::part,
+            {.title = "Part", .help = "Of a scenario: the part that is meant; the last where left out."});
+    d.field("cut", &SolidExtras::cut,
+            {.title = "Cut",
+             .help = "Cut the result by the plane a x + b y + c z + d = 0, given as a,b,c,d: a plane domain."});
+  }
+};
+
 struct SolidOptions {
   Path file;
   std::array<std::vector<std::string>, kinds.size()> others;
   std::vector<std::string> places;
-  std::optional<std::string> cut;
-  std::string part;
+  dobra::cli::OptionsOf<SolidExtras> extra_options;
+  SolidExtras extras;
   std::optional<Path> out;
 };
 
@@ -139,7 +154,7 @@ Result<Bodies> read_bodies(Session& session, const SolidOptions& options, const 
                            const std::string& part, const std::optional<std::string>& matrix,
                            std::vector<Finding>& findings) {
   if (Path(file).extension() == ".toml") return part_of_scenario(session, file, part, matrix, findings);
-  return read_mesh(file, matrix, options.cut ? Path(file).stem().string() : "", findings);
+  return read_mesh(file, matrix, options.extras.cut ? Path(file).stem().string() : "", findings);
 }
 
 /// What the operands have in common; nothing to tell if they overlap and something is left.
@@ -282,8 +297,8 @@ Result<void> tell(Session& session, const Outcome& outcome) {
 
 /// What can be said before anything is read.
 Result<void> check_options(const SolidOptions& options, const std::vector<Step>& steps) {
-  if (options.cut) {
-    DOBRA_TRY_VOID(parse_plane(*options.cut));
+  if (options.extras.cut) {
+    DOBRA_TRY_VOID(parse_plane(*options.extras.cut));
     if (options.out && options.out->extension() != ".toml") {
       return Error{ErrorCode::BadUsage,
                    fmt::format("--out {}: the section that --cut makes is a scenario; give a name that ends in .toml",
@@ -292,7 +307,7 @@ Result<void> check_options(const SolidOptions& options, const std::vector<Step>&
   } else if (options.out) {
     DOBRA_TRY_VOID(io::formats::check_boundary_ending(options.out->string()));
   }
-  if (!options.part.empty() && options.file.extension() != ".toml")
+  if (!options.extras.part.empty() && options.file.extension() != ".toml")
     return Error{ErrorCode::BadUsage, "--part names a part of a scenario, and FILE is none"};
   if (options.out) DOBRA_TRY_VOID(dobra::cli::check_writable(*options.out));
   for (const Step& step : steps) {
@@ -309,7 +324,7 @@ Result<int> solid_job(Session& session, const SolidOptions& options, const std::
     return timed(outcome.seconds.read,
                  [&] { return read_bodies(session, options, file, part, matrix, outcome.findings); });
   };
-  DOBRA_TRY(Bodies first, read(options.file.string(), options.part, std::nullopt));
+  DOBRA_TRY(Bodies first, read(options.file.string(), options.extras.part, std::nullopt));
   outcome.bodies = std::move(first.bodies);
   for (const Step& step : steps) {
     DOBRA_TRY_VOID(session.check());
@@ -318,8 +333,8 @@ Result<int> solid_job(Session& session, const SolidOptions& options, const std::
     solids.push_back(std::move(solid));
   }
   DOBRA_TRY_VOID(timed(outcome.seconds.boolean, [&] { return apply(steps, solids, session, outcome); }));
-  if (options.cut) {
-    DOBRA_TRY(const solid::CutPlane plane, parse_plane(*options.cut));
+  if (options.extras.cut) {
+    DOBRA_TRY(const solid::CutPlane plane, parse_plane(*options.extras.cut));
     DOBRA_TRY(outcome.cut, timed(outcome.seconds.write, [&] {
                 return cut_bodies(session, outcome.bodies, plane, options.out, outcome.findings);
               }));
@@ -354,10 +369,7 @@ void add_options(CLI::App& app, SolidOptions& options) {
                  "Move the file before it: the 16 numbers of a matrix, row by row, with commas between them")
       ->allow_extra_args(false)
       ->type_name("M");
-  app.add_option("--part", options.part, "Of a scenario: the part that is meant; the last where left out")
-      ->type_name("NAME");
-  app.add_option("--cut", options.cut, "Cut the result by the plane a x + b y + c z + d = 0: a plane domain")
-      ->type_name("a,b,c,d");
+  options.extra_options.add(app);
   app.add_option("--out", options.out, fmt::format("File to write: {}; with --cut a scenario (.toml)", endings))
       ->type_name("FILE");
 }
@@ -370,6 +382,7 @@ Command solid_command() {
             add_options(app, *options);
             return [options, &app](Session& session) -> Result<int> {
               DOBRA_TRY(const std::vector<Step> steps, steps_of(app, *options));
+              DOBRA_TRY(options->extras, options->extra_options.read());
               auto done = solid_job(session, *options, steps);
               if (!done) DOBRA_TRY_VOID(tell_refusal(session, done.error()));
               return done;

@@ -286,6 +286,14 @@ Result<void> check_without_surfaces(const InputParams& params, const dobra::scen
   return {};
 }
 
+/// Surfaces and faces are mended unasked, or refused.
+Result<void> no_repair(const InputParams& params, const dobra::scenario::Table& table) {
+  if (params.repair != Repair::Yes) return {};
+  return Error{ErrorCode::BadValue,
+               "`repair` mends drawings of plane domains; loops of faces are mended without it: leave it out",
+               table.place("repair")};
+}
+
 /// The faces of a boundary model, whose numbers are in the document's length.
 Result<model::Model> read_faces(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {
@@ -295,6 +303,7 @@ Result<model::Model> read_faces(const InputParams& params, const dobra::scenario
                  fmt::format("`{}` is of a plane domain and stands beside faces of '{}'", plane, params.file),
                  table.place(plane)};
   }
+  DOBRA_TRY_VOID(no_repair(params, table));
   const std::string path = (context.folder / params.file).string();
   DOBRA_TRY(dobra::io::faces::Imported imported, dobra::io::faces::faces_of_file(path));
   if (imported.faces.empty()) {
@@ -331,6 +340,7 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
                     plane),
         table.place(plane)};
   }
+  DOBRA_TRY_VOID(no_repair(params, table));
   DOBRA_TRY(surfaces::Surfaces made, surfaces::make_surfaces(params, table, context.units));
   if (made.faces.empty())
     return Error{ErrorCode::BadValue, "every surface is a tool; give one with use = \"mesh\"", table.place("surface")};

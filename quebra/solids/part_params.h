@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/io/formats/boundary_file.h"
 #include "shared/scenario/field.h"
 
 namespace quebra::solids {
@@ -220,7 +221,7 @@ struct SolidFileParams : PlacedPart {
     d.file("file", &SolidFileParams::file,
            {.title = "File",
             .help = "The boundary of a solid.",
-            .files = {{"Boundaries of solids", {".obj", ".ply", ".off", ".stl"}}},
+            .files = {{"Boundaries of solids", dobra::io::formats::boundary_endings()}},
             .presence = dobra::scenario::Presence::Required});
   }
 };

@@ -6,8 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
 
 #include "shared/base/disjoint_sets.h"
+#include "shared/surf/closest.h"
+#include "shared/surf/trim/rings.h"
 
 namespace quebra::surfaces {
 
@@ -38,8 +43,8 @@ struct Box3 {
 /// An edge of a loop as a curve in space; t runs from 0 to 1.
 class Border {
  public:
-  Border(std::size_t face, const surf::Surface& surface, ChartEdge edge)
-      : face_(face), surface_(&surface), edge_(std::move(edge)) {
+  Border(std::size_t face, const surf::Surface& surface, ChartEdge edge, bool inside)
+      : face_(face), surface_(&surface), edge_(std::move(edge)), inside_(inside) {
     for (int i = 0; i <= steps; ++i) {
       at_.push_back(at(static_cast<double>(i) / steps));
       box_.add(at_.back());
@@ -48,7 +53,8 @@ class Border {
   }
   [[nodiscard]] std::size_t face() const { return face_; }
   [[nodiscard]] const ChartEdge& edge() const { return edge_; }
-  [[nodiscard]] ChartEdge& edge() { return edge_; }
+  /// Of a line inside its face, not of a loop.
+  [[nodiscard]] bool inside() const { return inside_; }
   [[nodiscard]] const Box3& box() const { return box_; }
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] Point3 at(double t) const { return surface_->at(edge_.at(parameter(t))); }
@@ -99,6 +105,7 @@ class Border {
   std::size_t face_;
   const surf::Surface* surface_;
   ChartEdge edge_;
+  bool inside_ = false;
   std::vector<Point3> at_;
   Box3 box_;
   double length_ = 0.0;
@@ -118,6 +125,7 @@ class Sharing {
     if (borders_.size() < 2) return;
     cut();
     join(findings);
+    tell_unjoined(findings);
   }
 
  private:
@@ -127,11 +135,26 @@ class Sharing {
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       for (std::size_t l = 0; l < faces_[f].loops.size(); ++l) {
         for (std::size_t e = 0; e < faces_[f].loops[l].edges.size(); ++e) {
-          borders_.emplace_back(f, faces_[f].surface, faces_[f].loops[l].edges[e]);
+          borders_.emplace_back(f, faces_[f].surface, faces_[f].loops[l].edges[e], false);
+          places_.push_back({f, l, e});
+        }
+      }
+      for (std::size_t l = 0; l < faces_[f].lines.size(); ++l) {
+        if (faces_[f].lines[l].kind == surf::trim::ChartLine::Kind::Crack) continue;
+        for (std::size_t e = 0; e < faces_[f].lines[l].edges.size(); ++e) {
+          borders_.emplace_back(f, faces_[f].surface, faces_[f].lines[l].edges[e], true);
           places_.push_back({f, l, e});
         }
       }
     }
+  }
+  [[nodiscard]] std::vector<ChartEdge>& edges_of(std::size_t border) {
+    const auto [face, chain, edge] = places_[border];
+    return borders_[border].inside() ? faces_[face].lines[chain].edges : faces_[face].loops[chain].edges;
+  }
+  /// What of one face may be one curve: the sides of a seam. Lines inside are joined to other faces alone.
+  [[nodiscard]] bool may_join(const Border& a, const Border& b) const {
+    return a.face() != b.face() || (!a.inside() && !b.inside());
   }
   [[nodiscard]] bool a_point(const Border& border) const { return border.length() <= tolerance_; }
 
@@ -140,7 +163,7 @@ class Sharing {
     std::vector<std::vector<double>> cuts(borders_.size());
     for (std::size_t i = 0; i < borders_.size(); ++i) {
       for (std::size_t j = 0; j < borders_.size(); ++j) {
-        if (i == j || a_point(borders_[i]) || a_point(borders_[j])) continue;
+        if (i == j || a_point(borders_[i]) || a_point(borders_[j]) || !may_join(borders_[i], borders_[j])) continue;
         if (!borders_[i].box().near(borders_[j].box(), tolerance_)) continue;
         for (const double end : {0.0, 1.0}) {
           const Point3 p = borders_[j].at(end);
@@ -167,7 +190,7 @@ class Sharing {
       double from = 0.0;
       for (const double t : own) pieces.push_back(border.part(from, t)), from = t;
       pieces.push_back(border.part(from, 1.0));
-      auto& edges = faces_[places_[i][0]].loops[places_[i][1]].edges;
+      auto& edges = edges_of(i);
       const auto at = edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(places_[i][2]));
       edges.insert(at, pieces.begin(), pieces.end());
     }
@@ -204,13 +227,13 @@ class Sharing {
     base::DisjointSets sets(borders_.size());
     std::vector<std::uint8_t> shared(borders_.size(), 0);
     double widest = 0.0;
-    Point3 place{};
+    Point3 place{};  // the widest gap, or the middle of the first that are joined
     std::size_t joined = 0;
     std::vector<std::array<std::size_t, 2>> pairs;
     std::vector<std::uint8_t> against;
     for (std::size_t i = 0; i < borders_.size(); ++i) {
       for (std::size_t j = i + 1; j < borders_.size(); ++j) {
-        if (a_point(borders_[i]) || a_point(borders_[j])) continue;
+        if (a_point(borders_[i]) || a_point(borders_[j]) || !may_join(borders_[i], borders_[j])) continue;
         if (!borders_[i].box().near(borders_[j].box(), 100.0 * tolerance_)) continue;
         const Beside found = beside(borders_[i], borders_[j]);
         if (found.gap > 100.0 * tolerance_) continue;
@@ -223,8 +246,12 @@ class Sharing {
                base::Place{.x = found.place.x, .y = found.place.y, .z = found.place.z}});
           continue;
         }
-        if (borders_[i].face() != borders_[j].face()) ++joined;
-        if (found.gap > widest) widest = found.gap, place = found.place;
+        if (borders_[i].face() != borders_[j].face() && joined++ == 0 && widest <= 1e-9 * diagonal_)
+          place = borders_[i].at(0.5);
+        if (found.gap > widest) {
+          widest = found.gap;
+          if (widest > 1e-9 * diagonal_) place = found.place;
+        }
         sets.join(i, j);
         shared[i] = shared[j] = 1;
         pairs.push_back({i, j});
@@ -233,11 +260,10 @@ class Sharing {
     }
     number(sets, shared, pairs, against, widest);
     if (joined == 0) return;
-    Finding finding{"borders_joined", fmt::format("{} pairs of borders are one curve", joined), {}};
-    if (widest > 1e-9 * diagonal_) {
+    Finding finding{"borders_joined", fmt::format("pairs of borders that are one curve: {}", joined),
+                    base::Place{.x = place.x, .y = place.y, .z = place.z}};
+    if (widest > 1e-9 * diagonal_)
       finding.message += fmt::format("; the widest gap between two of them is {:.3g} m", widest);
-      finding.place.x = place.x, finding.place.y = place.y, finding.place.z = place.z;
-    }
     findings.push_back(std::move(finding));
   }
 
@@ -245,6 +271,7 @@ class Sharing {
               const std::vector<std::array<std::size_t, 2>>& pairs, const std::vector<std::uint8_t>& against,
               double widest) {
     std::vector<std::int8_t> turned(borders_.size(), -1);
+    shared_.assign(borders_.size(), 0);
     for (std::size_t i = 0; i < borders_.size(); ++i) {
       if (shared[i] == 0) continue;
       if (turned[i] < 0) turned[i] = 0;  // The first of its curve.
@@ -252,16 +279,65 @@ class Sharing {
         if (pairs[k][0] == i && turned[pairs[k][1]] < 0)
           turned[pairs[k][1]] = static_cast<std::int8_t>(turned[i] ^ static_cast<std::int8_t>(against[k]));
       }
-      ChartEdge& edge = faces_[places_[i][0]].loops[places_[i][1]].edges[places_[i][2]];
+      ChartEdge& edge = edges_of(i)[places_[i][2]];
       edge.shared = static_cast<surf::trim::SharedCurveId>(sets.root(i));
       edge.against = turned[i] == 1;
       edge.tolerance = std::max({edge.tolerance, tolerance_, widest});
+      shared_[i] = 1;
     }
+  }
+
+  /// Borders that lie on another face and are not joined to it.
+  void tell_unjoined(std::vector<Finding>& findings) const {
+    constexpr int places = 16;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const surf::Surface& surface = faces_[f].surface;
+      const Box3 box = box_of(surface);
+      const std::vector<surf::trim::Ring> rings = surf::trim::rings_of(faces_[f]);
+      for (std::size_t i = 0; i < borders_.size(); ++i) {
+        const Border& border = borders_[i];
+        if (border.face() == f || border.inside() || shared_[i] != 0 || a_point(border)) continue;
+        if (!border.box().near(box, 0.1 * surface.size())) continue;
+        std::optional<Point3> before;
+        for (int k = 0; k < places; ++k) {
+          const Point3 p = border.at((k + 0.5) / places);
+          const bool on = lies_on(surface, rings, p);
+          if (on && before) {
+            findings.push_back(
+                {"border_not_joined",
+                 fmt::format("a border of '{0}' lies on '{1}' and is not joined to it: give '{1}' a line "
+                             "of role `internal` there, as by kind = \"surface\" and tool = \"{0}\"",
+                             faces_[border.face()].name, faces_[f].name),
+                 base::Place{.x = p.x, .y = p.y, .z = p.z}});
+            break;
+          }
+          before = on ? std::optional(p) : std::nullopt;
+        }
+      }
+    }
+  }
+  [[nodiscard]] static Box3 box_of(const surf::Surface& surface) {
+    constexpr int places = 16;
+    Box3 box;
+    for (int i = 0; i <= places; ++i) {
+      for (int j = 0; j <= places; ++j)
+        box.add(
+            surface.at({std::lerp(surface.chart().low.x, surface.chart().high.x, static_cast<double>(i) / places),
+                        std::lerp(surface.chart().low.y, surface.chart().high.y, static_cast<double>(j) / places)}));
+    }
+    return box;
+  }
+  [[nodiscard]] bool lies_on(const surf::Surface& surface, const std::vector<surf::trim::Ring>& rings, Point3 p) const {
+    const surf::Foot foot = surf::closest_of_all(surface, p);
+    if (geom::distance(surface.at(foot.uv), p) > tolerance_) return false;
+    const std::vector<double> at = surf::trim::meets(rings, foot.uv.y);
+    return std::count_if(at.begin(), at.end(), [&](double u) { return u < foot.uv.x; }) % 2 == 1;
   }
 
   std::vector<TrimmedSurface>& faces_;
   std::vector<Border> borders_;
-  std::vector<std::array<std::size_t, 3>> places_;  ///< Face, loop, edge of each.
+  std::vector<std::array<std::size_t, 3>> places_;  ///< Face, loop or line, edge of each.
+  std::vector<std::uint8_t> shared_;                ///< One a border.
   double tolerance_ = 0.0, diagonal_ = 0.0;
 };
 
@@ -270,6 +346,40 @@ class Sharing {
 void share_borders(std::vector<TrimmedSurface>& faces, std::vector<Finding>& findings,
                    const CommonBorderOptions& options) {
   Sharing(faces, options).run(findings);
+}
+
+base::Result<void> check_ways(const std::vector<TrimmedSurface>& faces) {
+  struct Member {
+    std::size_t face = 0;
+    const ChartEdge* edge = nullptr;
+    bool inside = false;
+  };
+  std::map<surf::trim::SharedCurveId, std::vector<Member>> curves;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto add = [&](const std::vector<ChartEdge>& edges, bool inside) {
+      for (const ChartEdge& edge : edges) {
+        if (edge.shared) curves[*edge.shared].push_back({f, &edge, inside});
+      }
+    };
+    for (const auto& loop : faces[f].loops) add(loop.edges, false);
+    for (const auto& line : faces[f].lines) add(line.edges, true);
+  }
+  for (const auto& [curve, members] : curves) {
+    if (members.size() != 2 || members[0].inside || members[1].inside) continue;
+    const TrimmedSurface &first = faces[members[0].face], &second = faces[members[1].face];
+    if (&first == &second) continue;
+    const bool one_way = members[0].edge->against == members[1].edge->against;
+    if (one_way == (first.reversed != second.reversed)) continue;
+    base::Place place = second.place;
+    const Point3 p = first.surface.at(members[0].edge->at(std::midpoint(members[0].edge->from, members[0].edge->to)));
+    place.x = p.x, place.y = p.y, place.z = p.z;
+    return base::Error{base::ErrorCode::CannotMesh,
+                       fmt::format("surfaces '{}' and '{}' meet at a border and look opposite ways: give one of them "
+                                   "facing = \"{}\"",
+                                   first.name, second.name, second.reversed ? "along" : "against"),
+                       place};
+  }
+  return {};
 }
 
 }  // namespace quebra::surfaces

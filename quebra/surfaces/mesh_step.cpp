@@ -22,6 +22,8 @@ Result<void> check(const MeshParams& params) {
                  "engine = \"delaunay\" meshes plane domains only: on surfaces give \"front\" or \"paper\""};
   if (!params.background.empty()) return refused("a background mesh is of plane domains, not of surfaces");
   if (params.rosettes == meshing::UseRosettes::Yes) return refused("rosettes are of plane domains, not of surfaces");
+  if (params.division == sketch::DivisionRule::Halving && params.engine != meshing::EngineChoice::Paper)
+    return refused("`division` = \"halving\" is of plane domains and of the engine paper: leave it out on surfaces");
   if (params.stop_after > 0) return refused("`stop_after` is of plane domains, not of surfaces");
   return {};
 }

@@ -9,11 +9,14 @@
 #include <span>
 #include <utility>
 
+#include "quebra/surfaces/common_borders.h"
+#include "quebra/surfaces/expected_triangles.h"
 #include "quebra/surfaces/face_engine.h"
-#include "shared/base/formula.h"
+#include "quebra/surfaces/wanted_size.h"
 #include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/free_borders.h"
 #include "shared/surf/trim/area.h"
+#include "shared/surf/trim/mend.h"
 #include "shared/surf/trim/open.h"
 
 namespace quebra::surfaces {
@@ -55,6 +58,15 @@ base::Error in_chart_of_face(base::Error error, const surf::trim::Opened& opened
   const geom::Point place = opened.back({*error.place->u, *error.place->v});
   error.place->u = place.x, error.place->v = place.y;
   return error;
+}
+
+/// Of surfaces that a scenario draws. Faces of files are judged by their meshes: a normal may be nought on their
+/// border.
+Result<void> no_folds(const model::SurfaceSet& set) {
+  for (std::size_t f = 0; f < set.faces.size(); ++f) {
+    if (const auto fold = surf::trim::find_fold(set.faces[f])) return in_written(*fold, set, f);
+  }
+  return {};
 }
 
 /// The faces in charts without poles, and of which face each is.
@@ -110,23 +122,6 @@ void give_back(const Charts& charts, model::SurfaceMeshed& meshed) {
   }
 }
 
-/// @param units  of the chart, where u and v may be asked for.
-Result<std::function<double(geom::Point, geom::Point3)>> wanted_by(const std::string& text,
-                                                                   const std::optional<geom::Vector>& units) {
-  std::vector<std::string> names{"x", "y", "z"};
-  if (units) names.insert(names.end(), {"u", "v"});
-  auto formula = base::Formula::make(text, names, {.called = "size_formula", .whole = {}, .begin = 0});
-  if (!formula) {
-    base::Error error = formula.error();
-    if (!units) error.message += "; u and v are known where one face is meshed that touches no pole";
-    return error;
-  }
-  return std::function<double(geom::Point, geom::Point3)>([formula = *formula, units](geom::Point uv, geom::Point3 at) {
-    const std::array<double, 5> values{at.x, at.y, at.z, units ? uv.x / units->x : 0.0, units ? uv.y / units->y : 0.0};
-    return formula.at(std::span<const double>(values).first(units ? 5 : 3));
-  });
-}
-
 /// Where the area is missed by most: at the largest triangle of the face whose area is farthest from its surface's.
 /// @param areas  of the surfaces of the faces
 base::Place area_lost_at(const model::SurfaceMeshed& meshed, const Charts& charts, const model::SurfaceSet& set,
@@ -176,6 +171,29 @@ void doubt(model::SurfaceMeshed& meshed, const Charts& charts, const model::Surf
        place});
 }
 
+/// Reads the formula of sizes, and refuses sizes that are none or are too small.
+Result<void> check_sizes(const model::SurfaceSet& set, const Charts& charts, SurfaceMeshOptions& options,
+                         std::optional<WantedSize>& wanted, const base::Progress& progress) {
+  const auto as_written = [&](const base::Error& error, std::size_t f) {
+    return in_written(in_chart_of_face(error, charts.opened[f]), set, charts.owner[f]);
+  };
+  if (!options.size_formula.empty()) {
+    const bool one = charts.faces.size() == 1 && !charts.opened[0].polar;
+    DOBRA_TRY(wanted, WantedSize::make(options.size_formula, one ? std::optional(set.chart_units[0]) : std::nullopt));
+    for (std::size_t f = 0; f < charts.faces.size(); ++f) {
+      if (const auto sized = wanted->on_border(charts.faces[f]); !sized) return as_written(sized.error(), f);
+    }
+    options.sizes.wanted = wanted->function();
+  }
+  for (std::size_t f = 0; f < charts.faces.size(); ++f) {
+    DOBRA_TRY_VOID(progress.check());
+    if (wanted) wanted->enter(charts.faces[f]);
+    const auto enough = not_too_many(charts.faces[f], options.sizes, options.most_triangles);
+    if (!enough) return as_written(enough.error(), f);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const SurfaceMeshOptions& asked,
@@ -184,18 +202,19 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   Stopwatch watch;
   model::SurfaceMeshed meshed;
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
+  if (!set.parts.empty()) {
+    DOBRA_TRY_VOID(no_folds(set));
+    DOBRA_TRY_VOID(check_ways(set.faces));
+  }
+  DOBRA_TRY(const Charts charts, open_charts(set));
+  std::optional<WantedSize> wanted;
+  DOBRA_TRY_VOID(check_sizes(set, charts, options, wanted, progress));
   std::vector<double> areas;
   for (const auto& face : set.faces) {
     areas.push_back(surf::trim::area(face).value);
     meshed.area_surface += areas.back();
   }
   done("area");
-  DOBRA_TRY(const Charts charts, open_charts(set));
-  if (!options.size_formula.empty()) {
-    const bool one = charts.faces.size() == 1 && !charts.opened[0].polar;
-    DOBRA_TRY(options.sizes.wanted,
-              wanted_by(options.size_formula, one ? std::optional(set.chart_units[0]) : std::nullopt));
-  }
   surf::mesh::DivisionOptions divide{.sizes = options.sizes};
   if (options.engine == SurfaceEngine::Paper) divide.kind = surf::mesh::DivisionKind::Halving;
   const auto division_made = surf::mesh::divide(charts.faces, divide, progress.part(0.0, 0.1));
@@ -205,10 +224,17 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   done("divide");
   std::vector<FaceMesh> faces;
   for (std::size_t f = 0; f < division.faces.size(); ++f) {
+    if (wanted) wanted->enter(charts.faces[f]);
     const double from = 0.1 + 0.8 * static_cast<double>(f) / static_cast<double>(division.faces.size());
     auto face = mesh_face(division.faces[f], options,
                           progress.part(from, from + 0.8 / static_cast<double>(division.faces.size())));
-    if (!face) return in_written(in_chart_of_face(face.error(), charts.opened[f]), set, charts.owner[f]);
+    const auto as_written = [&](const base::Error& error) {
+      return in_written(in_chart_of_face(error, charts.opened[f]), set, charts.owner[f]);
+    };
+    if (wanted) {
+      if (const auto sized = wanted->inside(); !sized) return as_written(sized.error());
+    }
+    if (!face) return as_written(face.error());
     faces.push_back(std::move(face->mesh));
     meshed.findings.insert(meshed.findings.end(), face->findings.begin(), face->findings.end());
   }

@@ -29,7 +29,9 @@ using surf::mesh::SurfaceElements;
 
 namespace {
 
-Vector3 vector_of(const ShellLoadParams& load) { return {load.x, load.y, load.z}; }
+Vector3 vector_of(const ShellLoadParams& load) {
+  return {load.x.value_or(0.0), load.y.value_or(0.0), load.z.value_or(0.0)};
+}
 
 /// Makes a Shell; the elements must outlive it.
 class ShellMaker {
@@ -136,6 +138,12 @@ class ShellMaker {
   }
 
   Result<void> add(const ShellLoadParams& load) {
+    if (load.kind == ShellLoadKind::Pressure) {
+      if (!load.value)
+        return Error{ErrorCode::BadValue, fmt::format("the pressure at '{}' has no `value`: give one", load.where)};
+    } else if (!load.x && !load.y && !load.z) {
+      return Error{ErrorCode::BadValue, fmt::format("the load at '{}' loads nothing: give x, y or z", load.where)};
+    }
     if (load.kind == ShellLoadKind::Force) {
       DOBRA_TRY(const std::set<std::size_t> nodes, nodes_of(load.where));
       for (const std::size_t node : nodes) push(node, vector_of(load));
@@ -168,7 +176,7 @@ class ShellMaker {
       }
       const Vector3 area = points[g].weight * cross(xi, eta);
       Vector3 force = length(area) * vector_of(load);
-      if (load.kind == ShellLoadKind::Pressure) force = -load.value * area;
+      if (load.kind == ShellLoadKind::Pressure) force = -load.value.value_or(0.0) * area;
       if (load.kind == ShellLoadKind::Body)
         force = shell_.sections.at(mesh().regions[element.index()]).thickness * force;
       for (std::size_t i = 0; i < nodes.size(); ++i) push(nodes[i].index(), shapes[g].n[i] * force);

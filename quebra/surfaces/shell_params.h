@@ -59,7 +59,7 @@ enum class ShellLoadKind { Area, Pressure, Body, Edge, Force };
 struct ShellLoadParams {
   std::string where = {};
   ShellLoadKind kind = ShellLoadKind::Area;
-  double x = 0.0, y = 0.0, z = 0.0, value = 0.0;
+  std::optional<double> x = std::nullopt, y = std::nullopt, z = std::nullopt, value = std::nullopt;
   static constexpr const char* by_kind = "Pa, N/m3 if kind = body, N/m if kind = edge, N if kind = force";
 
   template <class D>

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "quebra/surfaces/common_borders.h"
 #include "quebra/surfaces/trimming.h"
 #include "shared/base/text.h"
+#include "shared/surf/graph_flaws.h"
+#include "shared/surf/trim/rings.h"
 
 namespace quebra::surfaces {
 
@@ -67,6 +71,23 @@ void add_controls(const SurfaceInput& input, Surfaces& made) {
   }
 }
 
+const char* words_of(surf::GraphFlawKind kind) {
+  switch (kind) {
+    case surf::GraphFlawKind::Jump:
+      return "the `formula` jumps here: make two surfaces of it whose ranges `u` and `v` end before the jump";
+    case surf::GraphFlawKind::Pole:
+      return "the `formula` grows without bound here: end the ranges `u` and `v` before it";
+    case surf::GraphFlawKind::Steep:
+      return "the slope of the `formula` or its bend grows without bound here: end the ranges `u` and `v` before it";
+    case surf::GraphFlawKind::NoValue:
+      return "the `formula` has no value here: end the ranges `u` and `v` before it";
+    case surf::GraphFlawKind::Kink:
+      return "the `formula` has a kink here that runs neither along x nor along y, which the mesh cannot follow: make "
+             "two surfaces of it that meet there, each of a formula without it";
+  }
+  return "";
+}
+
 /// Makes the faces; each step has the line of the table that it is about.
 class SurfaceMaker {
  public:
@@ -83,6 +104,7 @@ class SurfaceMaker {
     for (std::size_t s = 0; s < input_.surfaces.size(); ++s) {
       if (input_.surfaces[s].use == SurfaceUse::Tool) continue;
       DOBRA_TRY(surf::trim::TrimmedSurface face, trimmed(s, numbers, made));
+      if (input_.surfaces[s].kind == SurfaceKind::Graph) DOBRA_TRY_VOID(look_at_formula(s, face, made));
       std::int32_t greatest = regions;
       for (auto& region : face.regions) greatest = std::max(greatest, region.region += regions);
       regions = greatest;
@@ -198,9 +220,24 @@ class SurfaceMaker {
       }
       if (!number_.emplace(params.name, i).second)
         return Error{ErrorCode::BadValue, "two surfaces have this name; names must differ", place("surface", i)};
+      DOBRA_TRY_VOID(near_enough(*surface, i));
       surfaces_.push_back(*std::move(surface));
     }
     return {};
+  }
+
+  /// Places beside each other on the surface are different numbers.
+  [[nodiscard]] Result<void> near_enough(const Surface& surface, std::size_t i) const {
+    constexpr double finest = 1e-8;  // of the surface
+    const geom::Point3 p = surface.at(surface.chart().centre());
+    const double far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const double apart = std::numeric_limits<double>::epsilon() * far;
+    if (!(apart > finest * surface.size())) return {};
+    return at_line({ErrorCode::BadValue,
+                    fmt::format("the surface lies {:.3g} m from the `origin` of space and is {:.3g} m large: numbers "
+                                "there are {:.3g} m apart; move it nearer",
+                                far, surface.size(), apart)},
+                   "surface", i);
   }
 
   template <class T>
@@ -284,6 +321,29 @@ class SurfaceMaker {
     std::vector<model::ChosenPart> chosen = work.chosen(made.parts.size() - 1);
     made.chosen.insert(made.chosen.end(), chosen.begin(), chosen.end());
     return face;
+  }
+
+  /// Where a formula is not smooth. Across a jump or a pole nothing is measured, trimmed away or not; kinks count where
+  /// the surface is left, and one alone is a point, as that of a cone.
+  Result<void> look_at_formula(std::size_t s, const surf::trim::TrimmedSurface& face, Surfaces& made) const {
+    DOBRA_TRY(const surf::GraphFlaws found, surf::graph_flaws(input_.surfaces[s].formula, face.surface.chart()));
+    const std::vector<surf::trim::Ring> rings = surf::trim::rings_of(face);
+    std::vector<Place> kinks;
+    for (const surf::GraphFlaw& flaw : found.flaws) {
+      const geom::Point3 p = face.surface.at(flaw.at);
+      Place where{.x = p.x, .y = p.y, .u = flaw.at.x, .v = flaw.at.y};
+      if (std::isfinite(p.z)) where.z = p.z;
+      if (flaw.kind != surf::GraphFlawKind::Kink)
+        return at_line({ErrorCode::OutsideDomain, words_of(flaw.kind), where}, "surface", s);
+      const std::vector<double> at = surf::trim::meets(rings, flaw.at.y);
+      if (std::count_if(at.begin(), at.end(), [&](double u) { return u < flaw.at.x; }) % 2 == 1) kinks.push_back(where);
+    }
+    if (kinks.size() > 1)
+      return at_line({ErrorCode::OutsideDomain, words_of(surf::GraphFlawKind::Kink), kinks[0]}, "surface", s);
+    if (!kinks.empty())
+      made.findings.push_back(
+          {"kink", "the `formula` has a point here, where the mesh has no node of its own", kinks[0]});
+    return {};
   }
 
   /// In the order of the document, where parts of several surfaces may follow each other in any order.

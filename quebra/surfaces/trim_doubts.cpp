@@ -23,8 +23,6 @@ using surf::trim::TrimmedSurface;
 
 namespace {
 
-bool is_loop(TrimRole role) { return role == TrimRole::Hole || role == TrimRole::Outline; }
-
 /// Whether a place lies inside a closed way, by how often a ray to the right crosses it.
 bool encloses(const std::vector<Point>& way, Point p) {
   bool in = false;
@@ -58,6 +56,7 @@ class Doubts {
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
       if (!is_loop(drawn_[i].role)) continue;
       say_self_crossing(drawn_[i]);
+      if (told.insert(drawn_[i].name).second) say_idle(drawn_[i]);
       for (std::size_t k = i + 1; k < drawn_.size(); ++k) {
         if (is_loop(drawn_[k].role)) say_crossing(drawn_[i], drawn_[k]);
       }
@@ -181,6 +180,40 @@ class Doubts {
     } else if (!in_lines() && !in_loops()) {
       say("line_left_out", fmt::format("the line '{}' lies outside what is left of the surface", trim.name), middle);
     }
+  }
+
+  [[nodiscard]] bool bounds(const std::string& name) const {
+    return std::any_of(left_.loops.begin(), left_.loops.end(), [&](const auto& loop) {
+      return std::any_of(loop.edges.begin(), loop.edges.end(),
+                         [&](const ChartEdge& edge) { return edge.name == name; });
+    });
+  }
+  /// Every place of it that was looked at lies in the other one, or on it.
+  [[nodiscard]] bool lies_within(const DrawnTrim& trim, const DrawnTrim& other) const {
+    return std::all_of(trim.places.begin(), trim.places.end(), [&](Point p) {
+      return within(other, p) ||
+             std::any_of(other.places.begin(), other.places.end(), [&](Point q) { return same(p, q); });
+    });
+  }
+  /// A hole or an outline of which nothing bounds what is left: its set is empty.
+  void say_idle(const DrawnTrim& trim) {
+    if (bounds(trim.name)) return;
+    std::string around;
+    bool outlined = false, outlines = false;
+    for (const DrawnTrim& other : drawn_) {
+      if (!is_loop(other.role) || other.name == trim.name) continue;
+      const bool inside = lies_within(trim, other);
+      if (other.role == trim.role && inside) around = other.name;
+      if (other.role == TrimRole::Outline) outlines = true, outlined = outlined || inside;
+    }
+    const bool outside = trim.role == TrimRole::Hole && outlines && !outlined;
+    say("loop_bounds_nothing",
+        outside ? fmt::format("'{}' has no effect and its set is empty: it lies outside the outlines", trim.name)
+        : around.empty() ? fmt::format("'{}' has no effect and its set is empty: it lies outside what is left of the "
+                                       "surface",
+                                       trim.name)
+                         : fmt::format("'{}' has no effect and its set is empty: it lies in '{}'", trim.name, around),
+        trim.places.front());
   }
 
   /// Where more than two of its pieces meet.

@@ -28,7 +28,8 @@ struct DoubtOptions {
 
 /// @param parts  all faces that the trims make of the chart
 /// @param left   what is left of it
-/// @return codes cut_divides_nothing, crack_opens_nothing, line_left_out, line_short, trims_cross; places in the chart
+/// @return codes cut_divides_nothing, crack_opens_nothing, line_left_out, line_short, loop_bounds_nothing, trims_cross;
+///         places in the chart
 /// @cost O(n^2) in the edges of all parts
 std::vector<dobra::surf::mesh::Finding> trim_doubts(const dobra::surf::Surface& surface,
                                                     std::span<const DrawnTrim> drawn,

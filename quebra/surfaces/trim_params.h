@@ -12,6 +12,8 @@ namespace quebra::surfaces {
 
 enum class TrimKind { Line, Polygon, Circle, Ellipse, Arc, Spline, Bezier, Surface, Plane };
 enum class TrimRole { Hole, Outline, Cut, Internal, Interface, Crack };
+/// It has an inside.
+inline bool is_loop(TrimRole role) { return role == TrimRole::Hole || role == TrimRole::Outline; }
 
 struct TrimParams {
   std::string name, surface;

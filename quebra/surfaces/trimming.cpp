@@ -146,7 +146,7 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
     error.place->x = error.place->y = error.place->z = std::nullopt;
     return error;
   }
-  if ((trim.role == TrimRole::Hole || trim.role == TrimRole::Outline) && !drawn.closed) {
+  if (is_loop(trim.role) && !drawn.closed) {
     return refused(fmt::format("its ends do not meet, so it is no {}: let its last point repeat the first, or give it "
                                "role = \"cut\"",
                                trim.role == TrimRole::Hole ? "hole" : "outline"),
@@ -156,6 +156,7 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
     points_.push_back({drawn.edges.front().start(), {}, trim.tip_size});
     points_.push_back({drawn.edges.back().end(), {}, trim.tip_size});
   }
+  if (is_loop(trim.role)) rings_.push_back({trim.role, trim.name, samples(drawn.edges)});
   drawn_.push_back(std::move(drawn));
   return {};
 }
@@ -177,12 +178,12 @@ Result<void> Trimming::add_cut(const TrimParams& trim, const std::optional<surf:
                              trim.kind == TrimKind::Plane ? "the plane" : fmt::format("'{}'", trim.tool))};
   }
   for (ChartEdge& edge : edges) edge.shared.reset();
-  chain(trim, std::move(edges));
-  return {};
+  return chain(trim, std::move(edges));
 }
 
 /// Edges that follow each other become lines, closed ones where they come back.
-void Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
+Result<void> Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
+  std::vector<std::vector<Point>> ways;
   const double near = 1e-9 * std::max(surface_.chart().width(), surface_.chart().height());
   for (std::size_t i = 0; i < edges.size();) {
     Drawn drawn{trim.role, trim.name, false, {edges[i++]}, crack_options(trim)};
@@ -190,8 +191,13 @@ void Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
            distance(drawn.edges.back().end(), drawn.edges.front().start()) > near)
       drawn.edges.push_back(edges[i++]);
     drawn.closed = distance(drawn.edges.back().end(), drawn.edges.front().start()) <= near;
+    if (is_loop(trim.role)) ways.push_back(samples(drawn.edges));
     drawn_.push_back(std::move(drawn));
   }
+  auto rings = rings_of_cut(surface_, trim, ways);
+  if (!rings) return as_written(rings.error());
+  rings_.insert(rings_.end(), rings->begin(), rings->end());
+  return {};
 }
 
 namespace {
@@ -214,7 +220,7 @@ std::string side_of(const surf::Surface& surface, const ChartEdge& edge) {
 }
 
 /// A point inside a face: beside the middle of a chord of its first loop, so near that no other line is between.
-Point inner_point(const TrimmedSurface& face) {
+Point point_inside(const TrimmedSurface& face) {
   std::vector<std::vector<Point>> contours;
   for (const ChartLoop& loop : face.loops) contours.push_back(samples(loop.edges));
   const auto within = [&](Point p) {
@@ -292,16 +298,16 @@ Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::Sur
   std::vector<std::uint8_t> stays(count, 1), asked(count, 0);
   const bool outlines =
       std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn& d) { return d.role == TrimRole::Outline; });
-  std::vector<std::vector<Point>> ways;
-  for (const Drawn& drawn : drawn_) ways.push_back(samples(drawn.edges));
   for (std::size_t f = 0; f < count; ++f) {
-    const Point p = inner_point(recognised.faces()[f]);
+    if (recognised.faces()[f].loops.empty())
+      return refused("what the lines of this surface bound cannot be told: draw them so that none passes its own end",
+                     surface_.chart().centre());
+    const Point p = point_inside(recognised.faces()[f]);
     bool outlined = !outlines;
-    for (const Drawn& drawn : drawn_) {
-      if (drawn.role != TrimRole::Hole && drawn.role != TrimRole::Outline) continue;
-      if (!encloses(ways[static_cast<std::size_t>(&drawn - drawn_.data())], p)) continue;
-      if (drawn.role == TrimRole::Hole) stays[f] = 0;
-      if (drawn.role == TrimRole::Outline) outlined = true;
+    for (const TrimRing& ring : rings_) {
+      if (!encloses(ring.places, p)) continue;
+      if (ring.role == TrimRole::Hole) stays[f] = 0;
+      if (ring.role == TrimRole::Outline) outlined = true;
     }
     if (!outlined) stays[f] = 0;
   }
@@ -392,7 +398,10 @@ Result<TrimmedSurface> Trimming::face(surf::trim::SharedNumbers& numbers, std::v
     }
   }
   std::vector<DrawnTrim> drawn;
-  for (const Drawn& trim : drawn_) drawn.push_back({trim.role, trim.name, trim.closed, samples(trim.edges)});
+  for (const TrimRing& ring : rings_) drawn.push_back({ring.role, ring.name, true, ring.places});
+  for (const Drawn& trim : drawn_) {
+    if (!is_loop(trim.role)) drawn.push_back({trim.role, trim.name, trim.closed, samples(trim.edges)});
+  }
   for (const Finding& doubt : trim_doubts(surface_, drawn, recognised->faces(), face)) {
     const Error told = as_written({ErrorCode::BadDomain, doubt.message, doubt.place});
     findings.push_back({doubt.code, doubt.message, *told.place});

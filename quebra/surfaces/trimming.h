@@ -8,6 +8,7 @@
 #include "quebra/model/surface_meshed.h"
 #include "quebra/surfaces/crack_lines.h"
 #include "quebra/surfaces/trim_params.h"
+#include "quebra/surfaces/trim_rings.h"
 #include "shared/surf/mesh/surface_mesh.h"
 #include "shared/surf/trim/recognise.h"
 #include "shared/surf/trim/trimmed_surface.h"
@@ -42,7 +43,7 @@ class Trimming {
 
  private:
   dobra::base::Result<void> add_cut(const TrimParams& trim, const std::optional<dobra::surf::Surface>& tool);
-  void chain(const TrimParams& trim, std::vector<dobra::surf::trim::ChartEdge> edges);
+  dobra::base::Result<void> chain(const TrimParams& trim, std::vector<dobra::surf::trim::ChartEdge> edges);
   /// A curve of a trim, or several that follow each other.
   struct Drawn {
     TrimRole role;
@@ -74,6 +75,7 @@ class Trimming {
   std::string name_;
   ChartUnits units_;
   std::vector<Drawn> drawn_;
+  std::vector<TrimRing> rings_;  ///< Of holes and outlines.
   std::vector<Picked> parts_;
   std::vector<dobra::surf::trim::ChartPoint> points_;
 };

@@ -18,8 +18,16 @@ namespace {
 
 std::atomic<const base::CancelToken*> interrupted_token{nullptr};
 
+constexpr unsigned patience = 5;  ///< Seconds in which work may end by itself.
+
 extern "C" void on_interrupt(int) {
   if (const base::CancelToken* token = interrupted_token.load()) token->cancel();
+  alarm(patience);
+}
+/// Work that did not listen ends as by a second signal.
+extern "C" void on_alarm(int) {
+  signal(SIGTERM, SIG_DFL);
+  raise(SIGTERM);
 }
 
 void set_handler(void (*handler)(int), int flags) {
@@ -96,9 +104,13 @@ Interruption::Interruption() {
   // Restarting keeps interrupted writes of libraries whole; resetting lets a second Ctrl-C end work that does not
   // listen.
   set_handler(on_interrupt, static_cast<int>(SA_RESTART | SA_RESETHAND));
+  signal(SIGALRM, on_alarm);
 }
 
-void Interruption::let_go() { set_handler(SIG_DFL, 0); }
+void Interruption::let_go() {
+  alarm(0);
+  set_handler(SIG_DFL, 0);
+}
 
 Interruption::~Interruption() {
   if (!first_) return;

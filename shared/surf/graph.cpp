@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shared/base/formula.h"
+#include "shared/surf/graph_flaws.h"
 #include "shared/surf/surface.h"
 
 namespace dobra::surf {
@@ -25,7 +26,21 @@ struct GraphShape : Surface::Shape {
   double step = 2e-3;  ///< The step of the differences, part of the chart.
   GraphShape(base::Formula height, const Box& where) : formula(std::move(height)), chart(where) {}
 
+  std::vector<double> breaks_x, breaks_y;  ///< Kinks along lines, with the ends of the chart.
+
   [[nodiscard]] double height(double x, double y) const { return formula.at(std::array{x, y}); }
+
+  /// The range between two breaks in which a place lies, and the step of its differences.
+  struct Range {
+    double low, high, h;
+  };
+  static Range range_at(double at, const std::vector<double>& breaks, double step) {
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
+    constexpr double stencil_steps = 8.0;
+    return {*(above - 1), *above, std::min(step, (*above - *(above - 1)) / stencil_steps)};
+  }
+  [[nodiscard]] Range range_x(double x, double by) const { return range_at(x, breaks_x, by * chart.width()); }
+  [[nodiscard]] Range range_y(double y, double by) const { return range_at(y, breaks_y, by * chart.height()); }
   void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
     for (std::size_t i = 0; i < uv.size(); ++i) jets[i] = jet(uv[i]);
   }
@@ -64,7 +79,8 @@ struct GraphShape : Surface::Shape {
   }
 
   /// The stencil whose places lie within the range, from which step on.
-  static std::pair<const Stencil&, int> stencil_at(double at, double low, double high, double h) {
+  static std::pair<const Stencil&, int> stencil_at(double at, const Range& range) {
+    const auto [low, high, h] = range;
     static const std::array<Stencil, 9> stencils = [] {
       std::array<Stencil, 9> made;
       for (int from = -8; from <= 0; ++from) made[static_cast<std::size_t>(from + 8)] = stencil(from);
@@ -79,15 +95,17 @@ struct GraphShape : Surface::Shape {
 
   /// Second derivatives by a step, by the chart's width and height: (zxx, zyy).
   [[nodiscard]] std::array<double, 2> second_by(Point uv, double by) const {
-    const double hx = by * chart.width(), hy = by * chart.height();
-    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
-    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
+    const Range in_x = range_x(uv.x, by), in_y = range_y(uv.y, by);
+    const double hx = in_x.h, hy = in_y.h;
+    const auto [across, left] = stencil_at(uv.x, in_x);
+    const auto [up, below] = stencil_at(uv.y, in_y);
     double zxx = 0.0, zyy = 0.0;
     for (int i = 0; i < 9; ++i) {
       zxx += across.second[static_cast<std::size_t>(i)] * height(uv.x + (left + i) * hx, uv.y);
       zyy += up.second[static_cast<std::size_t>(i)] * height(uv.x, uv.y + (below + i) * hy);
     }
-    return {zxx / (by * by), zyy / (by * by)};
+    const double by_x = hx / chart.width(), by_y = hy / chart.height();
+    return {zxx / (by_x * by_x), zyy / (by_y * by_y)};
   }
   /// Takes the step whose second derivatives are nearest to those of half of it, over the chart: a long one leaves
   /// terms out, a short one is all rounding.
@@ -107,11 +125,25 @@ struct GraphShape : Surface::Shape {
     step = best;
   }
 
+  /// The mixed derivative by a net of 9 x 9 places, by steps.
+  [[nodiscard]] double mixed(Point uv, const Range& in_x, const Range& in_y) const {
+    const auto [across, left] = stencil_at(uv.x, in_x);
+    const auto [up, below] = stencil_at(uv.y, in_y);
+    double zxy = 0.0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t j = 0; j < 9; ++j)
+        zxy += across.first[i] * up.first[j] *
+               height(uv.x + (left + static_cast<int>(i)) * in_x.h, uv.y + (below + static_cast<int>(j)) * in_y.h);
+    }
+    return zxy;
+  }
+
   [[nodiscard]] Jet jet(Point uv) const {
-    const double hx = step * chart.width(), hy = step * chart.height();
-    const auto [across, left] = stencil_at(uv.x, chart.low.x, chart.high.x, hx);
-    const auto [up, below] = stencil_at(uv.y, chart.low.y, chart.high.y, hy);
-    double zx = 0.0, zxx = 0.0, zy = 0.0, zyy = 0.0, zxy = 0.0;
+    const Range in_x = range_x(uv.x, step), in_y = range_y(uv.y, step);
+    const double hx = in_x.h, hy = in_y.h;
+    const auto [across, left] = stencil_at(uv.x, in_x);
+    const auto [up, below] = stencil_at(uv.y, in_y);
+    double zx = 0.0, zxx = 0.0, zy = 0.0, zyy = 0.0, zxy = 0.0, diagonal = 0.0;
     for (std::size_t i = 0; i < 9; ++i) {
       const double z = height(uv.x + (left + static_cast<int>(i)) * hx, uv.y);
       zx += across.first[i] * z;
@@ -119,10 +151,11 @@ struct GraphShape : Surface::Shape {
       const double w = height(uv.x, uv.y + (below + static_cast<int>(i)) * hy);
       zy += up.first[i] * w;
       zyy += up.second[i] * w;
-      for (std::size_t j = 0; j < 9; ++j)
-        zxy += across.first[i] * up.first[j] *
-               height(uv.x + (left + static_cast<int>(i)) * hx, uv.y + (below + static_cast<int>(j)) * hy);
+      const int k = left + static_cast<int>(i);
+      if (left == below) diagonal += across.second[i] * height(uv.x + k * hx, uv.y + k * hy);
     }
+    // Along the diagonal the second derivative is zxx + 2 zxy + zyy, by steps.
+    zxy = left == below ? 0.5 * (diagonal - zxx - zyy) : mixed(uv, in_x, in_y);
     return {{uv.x, uv.y, height(uv.x, uv.y)}, {1.0, 0.0, zx / hx},         {0.0, 1.0, zy / hy},
             {0.0, 0.0, zxx / (hx * hx)},      {0.0, 0.0, zxy / (hx * hy)}, {0.0, 0.0, zyy / (hy * hy)}};
   }
@@ -141,12 +174,16 @@ struct GraphShape : Surface::Shape {
     const auto at = [&](int i, int j) { return z[static_cast<std::size_t>(i * (gaps + 1) + j)]; };
     std::vector<Bend> cells(gaps * gaps);
     constexpr double safe = 1.5;
+    const std::vector<std::uint8_t> broken_x = with_breaks(breaks_x), broken_y = with_breaks(breaks_y);
     for (int i = 1; i < gaps; ++i) {
       for (int j = 1; j < gaps; ++j) {
-        const Bend here{safe * std::abs(at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)) / (hx * hx),
+        // Across a kink there is no second derivative.
+        const double smooth_x = broken_x[static_cast<std::size_t>(i)] != 0 ? 0.0 : 1.0;
+        const double smooth_y = broken_y[static_cast<std::size_t>(j)] != 0 ? 0.0 : 1.0;
+        const Bend here{smooth_x * safe * std::abs(at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)) / (hx * hx),
                         safe * std::abs(at(i + 1, j + 1) - at(i - 1, j + 1) - at(i + 1, j - 1) + at(i - 1, j - 1)) /
                             (4.0 * hx * hy),
-                        safe * std::abs(at(i, j - 1) - 2.0 * at(i, j) + at(i, j + 1)) / (hy * hy)};
+                        smooth_y * safe * std::abs(at(i, j - 1) - 2.0 * at(i, j) + at(i, j + 1)) / (hy * hy)};
         // A cell knows what its neighbours know: the border's have no second difference of their own.
         for (int k = std::max(0, i - 2); k <= std::min(gaps - 1, i + 1); ++k) {
           for (int l = std::max(0, j - 2); l <= std::min(gaps - 1, j + 1); ++l)
@@ -164,6 +201,19 @@ struct GraphShape : Surface::Shape {
       }
       levels.push_back(std::move(coarse));
     }
+  }
+  /// Of the places between the gaps: whether a break lies between their neighbours.
+  static std::vector<std::uint8_t> with_breaks(const std::vector<double>& breaks) {
+    std::vector<std::uint8_t> broken(gaps + 1, 0);
+    for (std::size_t b = 1; b + 1 < breaks.size(); ++b) {
+      for (int i = 1; i < gaps; ++i) {
+        const auto place = [&](int k) {
+          return std::lerp(breaks.front(), breaks.back(), static_cast<double>(k) / gaps);
+        };
+        if (place(i - 1) < breaks[b] && breaks[b] < place(i + 1)) broken[static_cast<std::size_t>(i)] = 1;
+      }
+    }
+    return broken;
   }
   static void take(Bend& most, const Bend& other) {
     most = {std::max(most.uu, other.uu), std::max(most.uv, other.uv), std::max(most.vv, other.vv)};
@@ -202,11 +252,22 @@ base::Result<Surface> Surface::graph(const std::string& formula, const Box& char
                      base::Place{.item = "graph", .x = at.x, .y = at.y}};
     }
   }
+  Breaks kinks;
   if (geom::is_finite(chart.low) && geom::is_finite(chart.high) && !chart.empty()) {
+    const auto z = [&](double x, double y) { return shape->height(x, y); };
+    const GraphFlaws flaws = graph_flaws(z, chart);
+    kinks = {flaws.kinks_x, flaws.kinks_y};
+    const auto with_ends = [](std::vector<double> inside, double low, double high) {
+      inside.insert(inside.begin(), low);
+      inside.push_back(high);
+      return inside;
+    };
+    shape->breaks_x = with_ends(kinks.u, chart.low.x, chart.high.x);
+    shape->breaks_y = with_ends(kinks.v, chart.low.y, chart.high.y);
     shape->choose_step();
     shape->look_at_bends();
   }
-  return make(shape, chart);
+  return make(shape, chart, std::move(kinks));
 }
 
 }  // namespace dobra::surf

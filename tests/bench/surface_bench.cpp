@@ -1,14 +1,21 @@
 // The mesher of surfaces, one thread: speed, growth of the time with the number of triangles, bytes a triangle and
 // quality on a bicubic patch through 40 x 40 points (stand-in 7f) from 1e4 to 1e6 triangles; then the fifteen
 // stand-ins. One can be named: surface_bench 7f. Times are of the processor.
+//
+// `surface_bench sizes` prints instead which part of the edges is 0.7 to 1.4 times as long as the size wanted there: on
+// each stand-in by its own sizes, and by twice and four times as much.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "shared/surf/mesh/chart_mesher.h"
 #include "tests/bench/heap.h"
+#include "tests/support/in_size.h"
 #include "tests/support/surface_stand_ins.h"
 
 namespace {
@@ -61,11 +68,40 @@ void print(const std::string& name, const Run& r) {
       static_cast<double>(r.triangles) / r.mesh, r.bytes, r.divide);
 }
 
+/// Beside it the triangles; 0 where there is no mesh.
+std::pair<double, std::size_t> in_size(const dobra::surf::test::StandIn& each, double times) {
+  SizeOptions sizes;
+  sizes.largest = times * each.largest;
+  sizes.turn = std::min(45.0, times * each.turn);
+  const auto division = divide({&each.face, 1}, {.sizes = sizes});
+  if (!division) return {};
+  auto mesher = ChartMesher::start(division->faces[0], {.sizes = sizes});
+  if (!mesher) return {};
+  while (!mesher->done()) {
+    if (!mesher->step(100'000)) return {};
+  }
+  const FaceMesh face = mesher->mesh();
+  return {dobra::support::part_in_size(*mesher, face), face.chart.triangles.size()};
+}
+
+int print_sizes(const std::vector<dobra::surf::test::StandIn>& all) {
+  for (const auto& each : all) {
+    std::printf("%-4s", each.name.c_str());
+    for (const double times : {1.0, 2.0, 4.0}) {
+      const auto [part, triangles] = in_size(each, times);
+      std::printf("  %.0f L: %6.2f %% of %zu triangles", times, 100.0 * part, triangles);
+    }
+    std::printf("\n");
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   const std::string only = count > 1 ? arguments[1] : "";
   const auto all = dobra::surf::test::stand_ins();
+  if (only == "sizes") return print_sizes(all);
   for (const auto& each : all) {
     if (each.name != "7f" || (!only.empty() && only != each.name)) continue;
     Run first, last;

@@ -8,8 +8,8 @@ the paper's published figures, Gmsh's three meshers of surfaces, the paper's mes
 Gmsh has the same surfaces from its geometry kernel OpenCASCADE (quadrics exactly; the Coons patch and the saddle as
 Bezier patches, which they are; the bell and the waves as bicubic splines through 41 x 41 points), MeshSizeMax = L and
 MeshSizeFromCurvature = 360 / A. Quality is measured here for all, on the triangles as each program wrote them. Speed is
-triangles a second of CPU: Gmsh's by its own log of the 2D phase, ours by the
-clock of the phase `fill`, which has one thread. Ends with 1 where a figure misses what is asked of it.
+triangles a second on one thread: Gmsh's by the CPU time of its log of the 2D phase, ours by the clock of the phase
+`fill`. Ends with 1 where a figure misses what is asked of it.
 """
 import argparse, json, math, os, re, resource, subprocess, sys, tempfile, time
 

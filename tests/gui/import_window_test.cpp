@@ -468,8 +468,8 @@ TEST_F(ImportWindow, ADroppedScenarioIsOpenedWithoutTheDialog) {
   EXPECT_FALSE(window.session().history().can_undo());
 }
 
-/// In five seconds as it is built for users. A build with sanitizers is slower by what the machine likes: there the
-/// processor's time grows by less than the power 1.5 of the number of points.
+/// The dialog takes less than five seconds where there are no sanitizers. With four times the points the processor's
+/// time grows less than eight times, the power 1.5 of their number, in every build.
 TEST_F(ImportWindow, TwoHundredThousandPointsComeIn) {
   const auto seconds_for = [&](int points, bool taken) {
     std::string many = "x,z\n";

@@ -16,7 +16,7 @@
 namespace dobra::support {
 
 struct MeshedFaces {
-  std::optional<base::Error> refused;  ///< Why there is no mesh.
+  std::optional<base::Error> refused;  ///< Why there is no mesh; u and v of its place are those of the face.
   surf::mesh::SurfaceQuality quality;
   double turned = 0.0;  ///< Greatest angle between a triangle's normal and its surface's, degrees.
 };
@@ -40,14 +40,27 @@ inline double turned_by(const surf::mesh::SurfaceMesh& whole, const std::vector<
   return turned;
 }
 
+/// An error of a part, with its place in the chart of the face that the part is of.
+inline base::Error in_chart_of_face(base::Error error, const surf::trim::Opened& part) {
+  if (!part.polar || !error.place || !error.place->u || !error.place->v) return error;
+  const geom::Point uv = part.back({*error.place->u, *error.place->v});
+  error.place->u = uv.x;
+  error.place->v = uv.y;
+  return error;
+}
+
 inline MeshedFaces mesh_faces(const std::vector<surf::trim::TrimmedSurface>& faces, double size, double turn = 10.0) {
   namespace sm = surf::mesh;
   std::vector<surf::trim::TrimmedSurface> parts;
+  std::vector<surf::trim::Opened> all_opened;
   surf::trim::SharedNumbers numbers;
   for (const surf::trim::TrimmedSurface& face : faces) {
     const auto opened = surf::trim::open(face, numbers);
     if (!opened) return {opened.error(), {}};
-    for (const surf::trim::Opened& part : *opened) parts.push_back(part.face);
+    for (const surf::trim::Opened& part : *opened) {
+      parts.push_back(part.face);
+      all_opened.push_back(part);
+    }
   }
   sm::SizeOptions sizes;
   sizes.largest = size;
@@ -57,7 +70,7 @@ inline MeshedFaces mesh_faces(const std::vector<surf::trim::TrimmedSurface>& fac
   std::vector<sm::FaceMesh> meshes;
   for (const sm::ChartInput& input : division->faces) {
     auto mesh = sm::mesh_chart(input, {.sizes = sizes});
-    if (!mesh) return {mesh.error(), {}};
+    if (!mesh) return {in_chart_of_face(mesh.error(), all_opened[meshes.size()]), {}};
     meshes.push_back(*std::move(mesh));
   }
   const auto whole = sm::assemble(parts, *division, meshes);

@@ -45,10 +45,7 @@ class Walk {
     const Shape& shape = model_.shapes[number];
     const Face& face = std::get<Face>(shape.is);
     const base::Place place{.file = model_.file, .line = shape.line, .item = fmt::format("face {}", faces.size() + 1)};
-    if (!face.surface)
-      return base::Error{base::ErrorCode::BadFormat,
-                         "this face has no surface, only triangles; save the model with its surfaces", place};
-    TrimmedFace trimmed{number, *face.surface, at * face.placement, orientation == Orientation::Reversed, face.natural,
+    TrimmedFace trimmed{number, face.surface, at * face.placement, orientation == Orientation::Reversed, face.natural,
                         {},     place};
     for (const Use& part : shape.parts) {
       if (model_.shapes[part.shape].kind != ShapeKind::Wire) continue;  // an edge or a vertex by itself bounds nothing
@@ -97,6 +94,10 @@ Result<std::vector<TrimmedFace>> faces_of(const Model& model) {
   if (walk.faces.empty())
     return base::Error{base::ErrorCode::BadFormat, "the file has no face, only curves or points; save faces with it",
                        base::Place{.file = model.file}};
+  if (std::none_of(walk.faces.begin(), walk.faces.end(), [](const TrimmedFace& f) { return f.surface.has_value(); }))
+    return base::Error{base::ErrorCode::BadFormat,
+                       "this face has no surface, only triangles; save the model with its surfaces",
+                       walk.faces.front().place};
   return std::move(walk.faces);
 }
 

@@ -21,9 +21,9 @@ struct LoopEdge {
 
 struct TrimmedFace {
   Index shape = 0;
-  Index surface = 0;
-  Placement placement;    ///< Of the surface in the world.
-  bool reversed = false;  ///< The face looks against the normal of its surface.
+  std::optional<Index> surface;  ///< None: the file has only triangles of this face.
+  Placement placement;           ///< Of the surface in the world.
+  bool reversed = false;         ///< The face looks against the normal of its surface.
   bool natural = false;
   std::vector<std::vector<LoopEdge>> loops;  ///< By wires. The face's own orientation is not in it.
   /// Where it stands in the file: its line, "face 3".
@@ -31,8 +31,9 @@ struct TrimmedFace {
 };
 
 /// Every face that the whole shape uses, as often as it does, in the order of the file.
-/// @error BadFormat: no face (the file holds curves or points alone); TooManyElements: shapes used so often that there
-///        are more than a million of them; a face without a surface, with the place.
+/// @error BadFormat: no face (the file holds curves or points alone), or none with a surface, with the place of the
+/// first;
+///        TooManyElements: shapes used so often that there are more than a million of them.
 base::Result<std::vector<TrimmedFace>> faces_of(const Model& model);
 
 }  // namespace dobra::io::brep

@@ -52,7 +52,9 @@ class FaceImport {
       : model_(model), face_(face), shared_(shared), options_(options), report_(report) {}
 
   Outcome<surf::trim::TrimmedSurface> run() {
-    auto whole = whole_surface(*model_.surfaces[face_.surface], face_.placement);
+    if (!face_.surface)
+      return Refusal{"face_surface", "it has no surface, only triangles; save the model with its surfaces"};
+    auto whole = whole_surface(*model_.surfaces[*face_.surface], face_.placement);
     if (!whole) return surface_refusal(whole.error());
     whole_ = *std::move(whole);
     for (const auto& wire : face_.loops) {
@@ -430,11 +432,23 @@ class FaceImport {
     return {piece.curve, piece.from, piece.to, piece.name, piece.shared, piece.against, piece.tolerance};
   }
 
+  /// Both sides of a seam are one curve; it bounds nothing and has no name, so that nothing is kept along it.
+  [[nodiscard]] bool is_seam(const Piece& piece) const {
+    std::size_t sides = 0;
+    for (const Loop& loop : loops_) {
+      for (const Piece& other : loop) sides += piece.shared && other.shared == piece.shared ? 1U : 0U;
+    }
+    return sides > 1;
+  }
+
   surf::trim::TrimmedSurface finished() {
     surf::trim::TrimmedSurface made{.surface = *surface_, .loops = {}};
     for (const Loop& loop : loops_) {
       surf::trim::ChartLoop edges;
-      for (const Piece& piece : loop) edges.edges.push_back(edge_of(piece));
+      for (const Piece& piece : loop) {
+        edges.edges.push_back(edge_of(piece));
+        if (is_seam(piece)) edges.edges.back().name.clear();
+      }
       made.loops.push_back(std::move(edges));
     }
     for (const Piece& line : lines_) made.lines.push_back({.edges = {edge_of(line)}});

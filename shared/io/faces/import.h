@@ -32,8 +32,8 @@ struct Imported {
 };
 
 /// Each face of the model, once where shells share it, is among `faces` or named in `findings`, in the order of the
-/// file. Edges that faces share have one SharedCurveId; an edge is named "edge 7", a face "face 3". A mirror in a
-/// placement turns `reversed`, so that what was outside stays outside.
+/// file. Edges that faces share have one SharedCurveId; an edge is named "edge 7", a face "face 3"; both sides of a
+/// seam have no name. A mirror in a placement turns `reversed`, so that what was outside stays outside.
 /// @error those of brep::faces_of
 /// @cost O(n^2) in the pieces of a face
 base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOptions& options = {});

@@ -34,8 +34,8 @@ base::Result<SurfaceMesh> assemble(std::span<const trim::TrimmedSurface> surface
                                    std::span<const FaceMesh> faces);
 
 /// @error CannotMesh or NotFinite with the place {x, y, z}: arrays that do not fit, corners that do not exist or are
-///        not finite, a triangle without area, a side used twice in one direction (so by three triangles, or by two
-///        that are turned against each other), a set with a side that is none.
+///        not finite, a triangle without area, a side that two triangles of one face use in one direction, or two of
+///        two faces where there is no third, a set with a side that is none.
 /// @cost  O(n log n)
 base::Result<void> check(const SurfaceMesh& mesh);
 
@@ -48,13 +48,14 @@ struct SurfaceQuality {
   double alpha_min = 0.0;
   TriangleId worst;  ///< The triangle of alpha_min; none in an empty mesh.
   base::Angle angle_min, angle_max;
-  double side_min = 0.0, side_max = 0.0;      ///< m.
-  std::array<std::size_t, 20> histogram{};    ///< Triangles by alpha, bins of 0.05 from 0.
-  std::size_t edges = 0, boundary_edges = 0;  ///< Each counted once.
-  std::size_t components = 0, loops = 0;      ///< Parts joined through sides; closed contours of the boundary.
-  std::int64_t euler = 0;                     ///< Umbrellas of nodes - edges + triangles.
-  double deficit = 0.0;                       ///< Sum over nodes inside of 2 pi less the angles there.
-  double turning = 0.0;  ///< Sum over nodes of the boundary of pi less the angles, once an umbrella.
+  double side_min = 0.0, side_max = 0.0;    ///< m.
+  std::array<std::size_t, 20> histogram{};  ///< Triangles by alpha, bins of 0.05 from 0.
+  /// Each counted once; the mesh is cut where three triangles and more share a side: one for each of them.
+  std::size_t edges = 0, boundary_edges = 0;
+  std::size_t components = 0, loops = 0;  ///< Parts joined through sides; closed contours of the boundary.
+  std::int64_t euler = 0;                 ///< Umbrellas of nodes - edges + triangles.
+  double deficit = 0.0;                   ///< Sum over nodes inside of 2 pi less the angles there.
+  double turning = 0.0;                   ///< Sum over nodes of the boundary of pi less the angles, once an umbrella.
   /// |deficit + turning - 2 pi euler|: nought but for rounding on every mesh that is what it seems (Gauss and Bonnet).
   double gauss_bonnet = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "shared/geom/spatial_index.h"
 #include "shared/surf/measure.h"
@@ -510,12 +511,7 @@ class Maker {
     const std::size_t count = border_.vertex_edge.size();
     base::DisjointSets points(count), nodes(count);
     for (const auto& [a, b] : same_points_) points.join(a, b);
-    std::map<std::pair<std::uint32_t, Point>, std::size_t> at;  // a face, a place: loops that touch
-    for (std::size_t v = 0; v < count; ++v) {
-      if (points.root(v) != v) continue;
-      const auto [found, is_new] = at.try_emplace({border_.edges[border_.vertex_edge[v]].face, border_.place(v)}, v);
-      if (!is_new) points.join(v, found->second);
-    }
+    join_touching(points);
     for (std::size_t v = 0; v < count; ++v) nodes.join(v, points.root(v));
     for (const auto& [a, b] : same_nodes_) nodes.join(a, b);
     for (const BorderEdge& edge : border_.edges) {
@@ -523,6 +519,30 @@ class Maker {
     }
     border_.point_of = chosen(points);
     border_.node_of = chosen(nodes);
+  }
+
+  /// Places of one face that are the same but for rounding, where loops touch each other or themselves.
+  void join_touching(base::DisjointSets& points) const {
+    constexpr double rounding = 1e-12;  // of the chart
+    struct Place {
+      std::uint32_t face;
+      Point at;
+      std::size_t vertex;
+    };
+    std::vector<Place> places;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      if (points.root(v) == v) places.push_back({border_.edges[border_.vertex_edge[v]].face, border_.place(v), v});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return std::tuple(a.face, a.at.x, a.vertex) < std::tuple(b.face, b.at.x, b.vertex);
+    });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double near = rounding * surfaces_[places[i].face].surface.chart().diagonal();
+      for (std::size_t j = i + 1; j < places.size(); ++j) {
+        if (places[j].face != places[i].face || places[j].at.x - places[i].at.x > near) break;
+        if (geom::distance(places[i].at, places[j].at) <= near) points.join(places[i].vertex, places[j].vertex);
+      }
+    }
   }
 
   /// One a vertex: the first vertex of its set that is of a loop, or else the first.

@@ -50,19 +50,26 @@ std::vector<Piece> pieces_of(const Border& border) {
 
 namespace {
 
-/// The size that the bend of curve and surface allows at a place.
-double allowed_by_bend(const EdgeInSpace& edge, double s, const SizeOptions& sizes) {
-  double bend = 0.0;
-  const EdgeInSpace::Jet c = edge.jet(s);
-  const double speed = geom::length(c.first);
-  if (speed > 0.0) bend = geom::length(cross(c.first, c.second)) / (speed * speed * speed);
-  if (const auto k = curvature(edge.surface().jet(edge.place(s)))) {
-    bend = std::max({bend, std::abs(k->least), std::abs(k->greatest)});
-  }
+/// The size that a curvature allows, 1/m.
+double allowed_by(double bend, const SizeOptions& sizes) {
   if (!(bend > 0.0) || !std::isfinite(bend)) return std::numeric_limits<double>::infinity();
   double size = sizes.turn * std::numbers::pi / 180.0 / bend;
   if (sizes.chord > 0.0) size = std::min(size, std::sqrt(6.0 * sizes.chord / bend));  // of an equilateral triangle
   return size;
+}
+
+double greatest_bend(const surf::Jet& jet) {
+  const auto k = curvature(jet);
+  return k ? std::max(std::abs(k->least), std::abs(k->greatest)) : 0.0;
+}
+
+/// The size that the bend of curve and surface allows at a place.
+double allowed_by_bend(const EdgeInSpace& edge, double s, const SizeOptions& sizes) {
+  double bend = greatest_bend(edge.surface().jet(edge.place(s)));
+  const EdgeInSpace::Jet c = edge.jet(s);
+  const double speed = geom::length(c.first);
+  if (speed > 0.0) bend = std::max(bend, geom::length(cross(c.first, c.second)) / (speed * speed * speed));
+  return allowed_by(bend, sizes);
 }
 
 /// What is wanted along an edge at a parameter: by its bend and the surface's, by a formula, and by the bends of the
@@ -99,7 +106,7 @@ class Wishes {
       const Point there = uv + step * own * way;
       if (!surface.chart().contains(there)) break;
       const surf::Jet inside = surface.jet(there);
-      const double wanted = std::min(size_by_shape(inside, sizes_), sizes_.wanted_at(there, inside.at));
+      const double wanted = std::min(allowed_by(greatest_bend(inside), sizes_), sizes_.wanted_at(there, inside.at));
       size = std::min(size, wanted + (sizes_.growth - 1.0) * step * own);
     }
     return size;

@@ -28,7 +28,7 @@ struct SizeOptions {
   double largest = 0.0;  ///< L: no side longer, m; 0 takes a twentieth of the diagonal of the face.
   double turn = 15.0;    ///< A: most that the normal turns along a side, degrees.
   double chord = 0.0;    ///< Most that a side (a triangle) may be off the surface, m; 0 does not ask.
-  double growth = 1.2;   ///< Greatest ratio of the sizes of neighbouring elements, > 1.
+  double growth = 1.17;  ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double narrow = 1.0;   ///< Elements across narrow places; 0: sides as long as elsewhere.
   double least = 0.0;    ///< No size below, m; 0: none.
   /// Size wanted at a place of the chart and in space, m; where it is no positive number it asks for nothing.

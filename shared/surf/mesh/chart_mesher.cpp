@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "shared/base/check.h"
+#include "shared/geom/predicates.h"
 #include "shared/mesh/delaunay/planar_domain.h"
 #include "shared/mesh/front/front_engine.h"
 #include "shared/mesh/front/smoother.h"
@@ -256,6 +257,12 @@ Faults faults_of(const FaceMesh& face, const Surface& surface, double largest) {
     const double longest = *std::max_element(squares.begin(), squares.end());
     const double sum = squares[0] + squares[1] + squares[2];
     const geom::Point middle = geom::Point{} + (place(0) + place(1) + place(2)) / 3.0;
+    // Rounding from the scaled chart to that of the surface may turn a sliver round.
+    const auto in_chart = [&](std::size_t i) { return face.chart.points[corners[i].index()]; };
+    if (geom::orient2d(in_chart(0), in_chart(1), in_chart(2)) != geom::Sign::Positive) {
+      if (faults.folded++ + faults.stray == 0) faults.first = middle;
+      continue;
+    }
     if (longest > far_longer * far_longer * largest * largest && faults.stray++ + faults.folded == 0)
       faults.first = middle;
     if (length(area) <= none * longest) continue;

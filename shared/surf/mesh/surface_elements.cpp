@@ -235,9 +235,14 @@ Result<void> check(const SurfaceElements& elements) {
     return std::pair{a.edge, a.element} < std::pair{b.edge, b.element};
   });
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].edge == sides[i + 1].edge) {
-      return broken(elements, "two elements lie on the same side of one edge", sides[i + 1].element);
-    }
+    if (sides[i].edge != sides[i + 1].edge) continue;
+    // Where three faces meet, two of them follow it in one way.
+    const Edge back{sides[i].edge[1], sides[i].edge[0]};
+    const bool third = (i + 2 < sides.size() && sides[i + 2].edge == sides[i].edge) ||
+                       std::binary_search(sides.begin(), sides.end(), Ends{back, 0},
+                                          [](const Ends& a, const Ends& b) { return a.edge < b.edge; });
+    if (third && elements.faces[sides[i].element] != elements.faces[sides[i + 1].element]) continue;
+    return broken(elements, "two elements lie on the same side of one edge", sides[i + 1].element);
   }
   return {};
 }

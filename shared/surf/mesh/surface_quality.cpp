@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "shared/base/disjoint_sets.h"
 #include "shared/mesh/quality.h"
@@ -51,6 +52,13 @@ std::vector<SideOf> sides_of(const SurfaceMesh& mesh) {
   return sides;
 }
 
+/// The end of the sides from `i` on that have its ends.
+std::size_t end_of_run(const std::vector<SideOf>& sides, std::size_t i) {
+  std::size_t end = i + 1;
+  while (end < sides.size() && sides[end].ends == sides[i].ends) ++end;
+  return end;
+}
+
 Result<void> check_triangles(const SurfaceMesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   if (mesh.places.size() != count || mesh.faces.size() != count || mesh.regions.size() != count) {
@@ -74,21 +82,30 @@ Result<void> check_triangles(const SurfaceMesh& mesh) {
   return {};
 }
 
+/// The triangles at one side: of one face two at most, which run along it in opposite ways; so do two of two faces.
+Result<void> check_run(const SurfaceMesh& mesh, std::span<const SideOf> run) {
+  const bool sheet = run.size() == 2;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    for (std::size_t j = i + 1; j < run.size(); ++j) {
+      const bool one_face = mesh.faces[run[i].triangle] == mesh.faces[run[j].triangle];
+      if ((!sheet && !one_face) || run[i].forward != run[j].forward) continue;
+      if (!sheet) return broken(mesh, "three triangles of one face share a side", run[j].triangle);
+      return broken(mesh, fmt::format("it is turned against triangle {}, with which it shares a side", run[i].triangle),
+                    run[j].triangle);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> check(const SurfaceMesh& mesh) {
   DOBRA_TRY_VOID(check_triangles(mesh));
   const std::vector<SideOf> sides = sides_of(mesh);
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].ends != sides[i + 1].ends) continue;
-    if (i + 2 < sides.size() && sides[i + 2].ends == sides[i].ends) {
-      return broken(mesh, "three triangles share a side", sides[i + 2].triangle);
-    }
-    if (sides[i].forward == sides[i + 1].forward) {
-      return broken(mesh,
-                    fmt::format("it is turned against triangle {}, with which it shares a side", sides[i].triangle),
-                    sides[i + 1].triangle);
-    }
+  for (std::size_t i = 0; i < sides.size();) {
+    const std::size_t end = end_of_run(sides, i);
+    DOBRA_TRY_VOID(check_run(mesh, std::span(sides).subspan(i, end - i)));
+    i = end;
   }
   const auto is_side = [&](const Edge& edge) {
     const Edge ends = edge[0] < edge[1] ? edge : Edge{edge[1], edge[0]};
@@ -119,11 +136,13 @@ void add_topology(const SurfaceMesh& mesh, const std::vector<std::array<double, 
   std::vector<std::uint8_t> open(3 * mesh.triangles.size(), 0);  // a corner at a side without a neighbour
   base::DisjointSets contours(mesh.points.size());
   std::vector<std::uint8_t> outer(mesh.points.size(), 0);
+  std::size_t run = 0, last = 0;  // of sides of the same ends
   for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i == last) run = end_of_run(sides, i) - i, last = i + run;
     const SideOf& a = sides[i];
     const std::size_t from = 3 * std::size_t{a.triangle} + a.side, to = 3 * std::size_t{a.triangle} + (a.side + 1U) % 3;
     ++quality.edges;
-    if (i + 1 < sides.size() && sides[i + 1].ends == a.ends) {
+    if (run == 2) {
       const SideOf& b = sides[++i];
       corners.join(from, 3 * std::size_t{b.triangle} + (b.side + 1U) % 3);
       corners.join(to, 3 * std::size_t{b.triangle} + b.side);

@@ -74,6 +74,7 @@ class Cutter {
 
   base::Result<std::vector<Meeting>> run(const std::map<SharedCurveId, std::vector<double>>& cuts) {
     add_given(cuts);
+    cut_at_breaks();
     cut_at_vertices(0);
     make_arcs();
     merge();
@@ -145,6 +146,26 @@ class Cutter {
     }
   }
 
+  /// Where pieces of a strand meet on another strand: from there on it may run along that one.
+  void cut_at_breaks() {
+    std::vector<Box> boxes;
+    for (const std::vector<Sample>& samples : samples_) {
+      Box box;
+      for (const Sample& sample : samples) box.add(sample.at);
+      boxes.push_back(box.grown(0.1 * box.diagonal() + same_));
+    }
+    for (std::size_t s = 0; s < arcs_.strands.size(); ++s) {
+      const std::vector<double> parts = smooth_parts_of(arcs_, s, 0.0, 1.0);
+      for (std::size_t k = 1; k + 1 < parts.size(); ++k) {
+        const Point p = arcs_.on(s, parts[k]).at;
+        bool on_another = false;
+        for (std::size_t t = 0; t < arcs_.strands.size() && !on_another; ++t)
+          on_another = t != s && boxes[t].contains(p) && geom::distance(nearest(t, p, 0.0, 1.0).at, p) <= same_;
+        if (on_another) add_cut(s, parts[k], arcs_.vertex(p, same_));
+      }
+    }
+  }
+
   /// Cuts each strand at vertices, from number `first` on, that lie on it.
   void cut_at_vertices(std::size_t first) {
     for (std::size_t s = 0; s < arcs_.strands.size(); ++s) {
@@ -154,9 +175,15 @@ class Cutter {
       for (std::size_t v = first; v < arcs_.vertices.size(); ++v) {
         const Point p = arcs_.vertices[v];
         if (!box.contains(p)) continue;
-        const bool known = std::any_of(cuts_[s].begin(), cuts_[s].end(), [v](const auto& c) { return c.second == v; });
-        if (known) continue;
-        const Sample there = nearest(s, p, 0.0, 1.0);
+        const auto is_v = [v](const auto& c) { return c.second == v; };
+        const bool known = std::any_of(cuts_[s].begin(), cuts_[s].end(), is_v);
+        // A line may pass its own end.
+        constexpr double beyond = 0.02;
+        const bool of_ends = std::all_of(cuts_[s].begin(), cuts_[s].end(), [&](const auto& c) {
+          return !is_v(c) || c.first <= beyond || c.first >= 1.0 - beyond;
+        });
+        if (known && !of_ends) continue;
+        const Sample there = known ? nearest(s, p, beyond, 1.0 - beyond) : nearest(s, p, 0.0, 1.0);
         if (geom::distance(there.at, p) <= same_) add_cut(s, there.part, v);
       }
     }

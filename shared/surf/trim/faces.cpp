@@ -92,9 +92,8 @@ base::Result<Faces> faces_of(const Surface& surface, const Arcs& arcs, double ch
   }
   const Point uv = arcs.uv(*wrong);
   return Error{ErrorCode::CannotMesh,
-               fmt::format("lines of the chart run so near to each other at (u {:.6g}, v {:.6g}) that what they bound "
-                           "cannot be told; let them cross, part or coincide",
-                           uv.x, uv.y),
+               "lines of the chart run so near to each other here that what they bound cannot be told; let them cross, "
+               "part or coincide",
                place_of(surface, uv)};
 }
 

@@ -257,12 +257,10 @@ class Finder {
   [[nodiscard]] Error cannot_tell(Point part) const {
     const Point uv = arcs_.uv(part);
     const base::Place place = place_of(surface_, uv);
-    return {
-        ErrorCode::CannotMesh,
-        fmt::format("lines of the chart touch so closely at (u {:.6g}, v {:.6g}) that what they bound cannot be told; "
-                    "let them cross, part or coincide",
-                    uv.x, uv.y),
-        place};
+    return {ErrorCode::CannotMesh,
+            "lines of the chart touch so closely here that what they bound cannot be told; let them cross, part or "
+            "coincide",
+            place};
   }
 
   const Surface& surface_;

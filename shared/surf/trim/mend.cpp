@@ -172,12 +172,9 @@ class Mender {
       uv = each.uv;
       break;
     }
-    return {
-        ErrorCode::SelfIntersection,
-        fmt::format("the loops of the face cross themselves or each other at (u {:.6g}, v {:.6g}); draw them so that "
-                    "they do not",
-                    uv.x, uv.y),
-        place_of(s_.surface, uv)};
+    return {ErrorCode::SelfIntersection,
+            "the loops of the face cross themselves or each other here; draw them so that they do not",
+            place_of(s_.surface, uv)};
   }
 
   const TrimmedSurface& face_;
@@ -223,7 +220,10 @@ std::optional<Point> fold_between(const Surface& surface, Point a, Point b) {
     }
   }
   const bool nought = std::min(geom::length(at_a), geom::length(at_b)) < 1e-3 * usual;
-  return nought ? std::optional(a) : std::nullopt;  // else a corner
+  // Else a corner, unless one side lies on the other one.
+  constexpr double flat = 1e-9;
+  const bool doubled = dot(at_a, at_b) < (flat - 1.0) * geom::length(at_a) * geom::length(at_b);
+  return nought || doubled ? std::optional(a) : std::nullopt;
 }
 
 }  // namespace
@@ -244,12 +244,8 @@ std::optional<Error> find_fold(const TrimmedSurface& face) {
   const std::vector<Ring> rings = rings_of(face);
   const auto told = [&](Point uv, bool folds) {
     const base::Place place = place_of(surface, uv);
-    const std::string what =
-        folds ? fmt::format("the surface folds back at (u {:.6g}, v {:.6g}); change its borders or trim that part away",
-                            uv.x, uv.y)
-              : fmt::format(
-                    "the surface has no normal at (u {:.6g}, v {:.6g}); change its borders or trim that part away",
-                    uv.x, uv.y);
+    const char* const what = folds ? "the surface folds back here; change its borders or trim that part away"
+                                   : "the surface has no normal here; change its borders or trim that part away";
     return Error{ErrorCode::DegenerateCurve, what, place};
   };
   std::vector<std::optional<Vector3>> below(us.size()), row(us.size());

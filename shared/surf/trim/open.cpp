@@ -117,6 +117,16 @@ std::vector<std::pair<std::size_t, std::size_t>> seams_in(const Surface& surface
   return pairs;
 }
 
+/// The name of a line that runs along a seam, on either side of it; none where nothing was drawn there.
+std::string drawn_along(const ChartEdge& low, const ChartEdge& high) {
+  for (const ChartEdge* const edge : {&low, &high}) {
+    const std::string& name = edge->name;
+    const bool of_chart = name.empty() || name == "left" || name == "right" || name == "bottom" || name == "top";
+    if (!of_chart && name != artificial_border) return name;
+  }
+  return {};
+}
+
 /// A part of a face that touches one pole, in the chart round it.
 base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   const Surface surface = face.surface;
@@ -125,7 +135,14 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (lies_on_side(chart, pole, rings.edge(i))) rings.take_out(i);
   }
-  for (const auto& [i, k] : seams_in(surface, rings)) rings.sew(i, k);
+  for (const auto& [i, k] : seams_in(surface, rings)) {
+    if (const std::string name = drawn_along(rings.edge(i), rings.edge(k)); !name.empty()) {
+      face.lines.push_back({{rings.edge(i)}, ChartLine::Kind::Constraint});
+      face.lines.back().edges[0].name = name;
+      face.lines.back().edges[0].shared.reset();
+    }
+    rings.sew(i, k);
+  }
   face.loops = rings.loops();
   const bool along_u = runs_along_u(pole);
   double reach = 0.0;
@@ -218,8 +235,10 @@ base::Result<std::vector<Opened>> open(const TrimmedSurface& face, SharedNumbers
   if (poles.empty()) {
     Opened same{face, [](Point p) { return p; }, false};
     Rings rings(face.loops);
-    for (const auto& [i, k] : seams_in(face.surface, rings))
-      rings.edge(i).name = rings.edge(k).name = artificial_border;
+    for (const auto& [i, k] : seams_in(face.surface, rings)) {
+      const std::string name = drawn_along(rings.edge(i), rings.edge(k));
+      rings.edge(i).name = rings.edge(k).name = name.empty() ? artificial_border : name;
+    }
     same.face.loops = rings.loops();
     return std::vector{std::move(same)};
   }

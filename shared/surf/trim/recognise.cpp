@@ -98,8 +98,16 @@ class Recogniser {
     }
     for (const Strand& strand : s.arcs.strands) {
       if (strand.line >= lines.size() || !lines[strand.line].closed || encloses[strand.line] != 0) continue;
+      geom::Box box;
+      for (const Strand& other : s.arcs.strands) {
+        for (int i = 0; other.line == strand.line && i <= 8; ++i)
+          box.add(s.arcs.part(other.edge.at(std::lerp(other.edge.from, other.edge.to, i / 8.0))));
+      }
+      constexpr double few = 4.0;
       return Error{ErrorCode::DegenerateCurve,
-                   "a closed line encloses nothing: it runs back along itself; draw it anew",
+                   box.diagonal() <= few * s.options.same
+                       ? "a closed line is smaller than what counts as one point: draw it larger, or leave it out"
+                       : "a closed line encloses nothing: it runs back along itself; draw it anew",
                    place_of(s.surface, s.arcs.uv(s.arcs.vertices[strand.start]))};
     }
     return {};

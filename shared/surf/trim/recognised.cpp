@@ -90,15 +90,11 @@ base::Result<std::size_t> Recognised::pick(Point uv) const {
   if (!geom::is_finite(uv)) return Error{ErrorCode::NotFinite, "the point that is to pick a face is not finite"};
   const Point inside{std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0)};
   if (!(p == inside))
-    return Error{
-        ErrorCode::OutsideDomain,
-        fmt::format("the point (u {:.6g}, v {:.6g}) lies beside the chart of the surface; pick one inside", uv.x, uv.y),
-        place_of(s.surface, s.arcs.uv(inside))};
+    return Error{ErrorCode::OutsideDomain, "the point lies beside the chart of the surface; pick one inside",
+                 place_of(s.surface, s.arcs.uv(inside))};
   const Error on_a_line{
       ErrorCode::OutsideDomain,
-      fmt::format("the point (u {:.6g}, v {:.6g}) lies on a line, or so near to it that its side is not "
-                  "known; pick one well inside a face",
-                  uv.x, uv.y),
+      "the point lies on a line, or so near to it that its side is not known; pick one well inside a face",
       place_of(s.surface, uv)};
   const Subdivision& sub = s.faces.subdivision;
   const double near = 0.25 * s.faces.sag + s.options.same;

@@ -129,10 +129,7 @@ class Maker {
     const Point uv = made_.arcs.uv(part);
     const geom::Box& chart = surface_.chart();
     return {
-        ErrorCode::OutsideDomain,
-        fmt::format("a line leaves the chart of its surface at (u {:.6g}, v {:.6g}); keep it within u {:.6g} to "
-                    "{:.6g}, v {:.6g} to {:.6g}",
-                    uv.x, uv.y, chart.low.x, chart.high.x, chart.low.y, chart.high.y),
+        ErrorCode::OutsideDomain, "a line leaves the chart of its surface here; keep it within the ranges of u and v",
         place_of(surface_, {std::clamp(uv.x, chart.low.x, chart.high.x), std::clamp(uv.y, chart.low.y, chart.high.y)})};
   }
 
@@ -216,14 +213,11 @@ class Maker {
       const double metres = geom::distance(surface_.at(uv), surface_.at(arcs.uv(b)));
       if (gap > options_.close || !follows[i]) {
         const std::string what =
-            first ? fmt::format(
-                        "the line does not close: its ends are {:.6g} m apart at (u {:.6g}, v {:.6g}); draw it to "
-                        "its beginning",
-                        metres, uv.x, uv.y)
+            first ? fmt::format("the line does not close: its ends are {:.6g} m apart here; draw it to its beginning",
+                                metres)
                   : fmt::format(
-                        "edges that follow each other are {:.6g} m apart at (u {:.6g}, v {:.6g}); let each end "
-                        "where the next begins",
-                        metres, uv.x, uv.y);
+                        "edges that follow each other are {:.6g} m apart here; let each end where the next begins",
+                        metres);
         return Error{ErrorCode::CannotMesh, what, place_of(surface_, uv)};
       }
       made_.findings.push_back({"gap_closed",

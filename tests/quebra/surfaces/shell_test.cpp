@@ -114,6 +114,20 @@ TEST(Shell, ForcesAddUpToWhatTheLoadsSay) {
   EXPECT_NEAR(total(*shell).x, 0.0, 1e-3);
 }
 
+TEST(Shell, ALoadWithoutANumberIsRefused) {
+  const Meshed plate = meshed(test::plate, 3.0, false);
+  ShellParams params;
+  params.materials = {{.young = 1.0, .thickness = 0.5}};
+  params.supports = {{.where = "plate_left", .x = 0.0}};
+  for (const ShellLoadKind kind :
+       {ShellLoadKind::Area, ShellLoadKind::Body, ShellLoadKind::Edge, ShellLoadKind::Force}) {
+    params.loads = {{.where = "plate_top", .kind = kind}};
+    EXPECT_THAT(to_string(make_shell(plate.mesh.elements, params).error()), HasSubstr("loads nothing: give x, y or z"));
+  }
+  params.loads = {{.kind = ShellLoadKind::Pressure, .x = 1.0}};
+  EXPECT_THAT(to_string(make_shell(plate.mesh.elements, params).error()), HasSubstr("has no `value`"));
+}
+
 TEST(Shell, WhatIsMissingIsNamed) {
   const Meshed plate = meshed(test::plate, 3.0, false);
   ShellParams params;

@@ -116,6 +116,76 @@ TEST(SurfaceInput, PartsMayBeNamedByPlacesOnSeamsAndInPoles) {
   EXPECT_THAT(refusal(cut("[0, 0, 1]", "[4.898979485566356, 0, 1]")), HasSubstr("lies on a line"));
 }
 
+TEST(SurfaceInput, FormulasThatJumpOrHaveNoBoundAreRefused) {
+  const auto graph = [](const std::string& formula) {
+    return "[[input.surface]]\nname = \"g\"\nkind = \"graph\"\nformula = \"" + formula +
+           "\"\nu = [-1, 1]\nv = [-1, 1]\n";
+  };
+  EXPECT_THAT(refusal(graph("x > 0 ? 1 : 0")), HasSubstr("jumps here"));
+  EXPECT_THAT(refusal(graph("x > 0 ? 1 : 0")), HasSubstr("surface 'g'"));
+  EXPECT_THAT(refusal(graph("1 / (x - 0.0137)")), HasSubstr("here: end the ranges `u` and `v` before it"));
+  EXPECT_THAT(refusal(graph("sqrt(1 - x * x)")), HasSubstr("grows without bound here"));
+  EXPECT_THAT(refusal(graph("abs(x)^(1 / 3)")), HasSubstr("grows without bound here"));
+  // The numbers of the surface cross it, though what is left does not.
+  EXPECT_THAT(refusal(graph("x > 0 ? 1 : 0") +
+                      trim("kind = \"circle\"\nrole = \"outline\"\ncentre = [0.5, 0]\nradius = 0.4\n")),
+              HasSubstr("jumps here"));
+}
+
+TEST(SurfaceInput, KinksAcrossTheChartAreRefusedWhereTheSurfaceIsLeft) {
+  const auto graph = [](const std::string& formula) {
+    return "[[input.surface]]\nname = \"g\"\nkind = \"graph\"\nformula = \"" + formula +
+           "\"\nu = [-1, 1]\nv = [-1, 1]\n";
+  };
+  EXPECT_THAT(refusal(graph("abs(x - y)")), HasSubstr("neither along x nor along y"));
+  EXPECT_TRUE(surfaces_of(graph("abs(x - y)") +
+                          trim("kind = \"circle\"\nrole = \"outline\"\ncentre = [0.5, -0.5]\nradius = 0.4\n"))
+                  .ok());
+  EXPECT_TRUE(surfaces_of(graph("abs(x)")).ok());
+  const auto cone = surfaces_of(graph("hypot(x - 0.1, y + 0.2)"));
+  ASSERT_TRUE(cone.ok());
+  ASSERT_EQ(cone->findings.size(), 1U);
+  EXPECT_EQ(cone->findings[0].code, "kink");
+  EXPECT_NEAR(*cone->findings[0].place.x, 0.1, 1e-6);
+  EXPECT_NEAR(*cone->findings[0].place.y, -0.2, 1e-6);
+}
+
+TEST(SurfaceInput, SurfacesTooFarFromTheOriginAreRefused) {
+  const auto at = [](const char* origin) { return plate + "origin = [" + origin + ", 0, 0]\n"; };
+  EXPECT_THAT(refusal(at("1e17")), HasSubstr("move it nearer"));
+  EXPECT_THAT(refusal(at("-1e10")), HasSubstr("move it nearer"));
+  EXPECT_TRUE(surfaces_of(at("1e7")).ok());
+}
+
+TEST(SurfaceInput, SurfacesThatFoldOrHaveNoNormalInsideAreNotMeshed) {
+  const auto mesh = [](const std::string& text) -> std::string {
+    auto made = surfaces_of(text);
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+    if (!made) return {};
+    model::SurfaceSet set{.faces = made->faces, .chart_units = {}, .parts = made->parts};
+    for (const ChartUnits& units : made->units) set.chart_units.push_back({units.u, units.v});
+    const auto meshed = mesh_surfaces(set, {.sizes = {.largest = 0.3}});
+    return meshed ? "" : to_string(meshed.error());
+  };
+  const auto net = [](const std::string& points) {
+    return "[[input.surface]]\nname = \"n\"\nkind = \"nurbs\"\ndegree = 1\nknots_u = [0, 0, 1, 2, 3, 3]\n"
+           "knots_v = [0, 0, 1, 1]\npoints = [" +
+           points + "]\n";
+  };
+  // A row in one place; a net that turns back; the same, put right.
+  EXPECT_THAT(
+      mesh(net("[0, 0, 0], [0, 1, 0], [1, 0.5, 0], [1, 0.5, 0], [2, 0.5, 0], [2, 0.5, 0], [3, 0, 0], [3, 1, 0]")),
+      HasSubstr("no normal"));
+  EXPECT_THAT(mesh(net("[0, 0, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0], [1, 0, 0], [1, 1, 0], [3, 0, 0], [3, 1, 0]")),
+              HasSubstr("surface 'n'"));
+  EXPECT_EQ(mesh(net("[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [2, 0, 0], [2, 1, 0], [3, 0, 0], [3, 1, 0]")), "");
+  EXPECT_THAT(mesh("[[input.surface]]\nname = \"t\"\nkind = \"torus\"\nradius = 2\nminor_radius = 2\n"),
+              HasSubstr("no normal"));
+  EXPECT_THAT(mesh("[[input.space_curve]]\nname = \"a\"\nkind = \"line\"\npoints = [[-1, 0, 0], [2, 0, 3]]\n"
+                   "[[input.surface]]\nname = \"r\"\nkind = \"revolved\"\ncurves = [\"a\"]\n"),
+              HasSubstr("surface 'r'"));
+}
+
 TEST(SurfaceInput, OtherSurfacesAndPlanesCut) {
   const std::string half =
       "[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 5\nu = [0, 180]\nv = [0, 10]\n";
@@ -317,8 +387,8 @@ TEST(TrimDoubts, LoopsThatCrossAreToldWithAPlaceWhereTheyDo) {
   EXPECT_NEAR(std::abs(*crossing->findings[0].place.y - 5.0), std::sqrt(3.0), 1e-6);
   // Two circles of radius 2 whose middles are 2 apart: the lens is 2 (4 pi / 3) - 2 sqrt 3 wide.
   EXPECT_NEAR(area_of(other(6, 2)), 100 - (8 * pi - (8 * pi / 3 - 2 * std::sqrt(3.0))), 1e-6);
-  EXPECT_EQ(codes_of(other(8, 1)), Codes{});  // beside it
-  EXPECT_EQ(codes_of(other(4, 1)), Codes{});  // within it
+  EXPECT_EQ(codes_of(other(8, 1)), Codes{});                       // beside it
+  EXPECT_EQ(codes_of(other(4, 1)), Codes{"loop_bounds_nothing"});  // within it
   const auto eight =
       surfaces_of(plate + trim("kind = \"polygon\"\nrole = \"hole\"\npoints = [[2, 2], [8, 8], [8, 2], [2, 8]]\n"));
   ASSERT_TRUE(eight.ok());

@@ -14,15 +14,13 @@
 namespace dobra::io::faces {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The perimeter of an ellipse by summing chords.
 double ellipse_perimeter(double a, double b) {
   double sum = 0.0;
   constexpr int parts = 20000;
   for (int i = 0; i < parts; ++i) {
-    const double s = 2.0 * pi * (i + 0.5) / parts;
-    sum += std::hypot(a * std::sin(s), b * std::cos(s)) * 2.0 * pi / parts;
+    const double s = 2.0 * std::numbers::pi * (i + 0.5) / parts;
+    sum += std::hypot(a * std::sin(s), b * std::cos(s)) * 2.0 * std::numbers::pi / parts;
   }
   return sum;
 }
@@ -36,13 +34,14 @@ struct File {
 
 const std::vector<File>& files() {
   // Half a zone of the unit sphere from -45 to 60 degrees: its own part, both disks, both plane sides.
-  const double zone = pi * (std::sin(pi / 3) + std::sin(pi / 4)) + 0.5 * pi * (0.25 + 0.5) +
-                      (std::sin(pi / 3) * 0.5 + pi / 3 + 0.5 + pi / 4);
+  const double zone = std::numbers::pi * (std::sin(std::numbers::pi / 3) + std::sin(std::numbers::pi / 4)) +
+                      0.5 * std::numbers::pi * (0.25 + 0.5) +
+                      (std::sin(std::numbers::pi / 3) * 0.5 + std::numbers::pi / 3 + 0.5 + std::numbers::pi / 4);
   static const std::vector<File> all{{"box_fillet", 9, 21.2661944967, 1e-10},
                                      {"compound", 9, 8.16769893098, 1e-10},
                                      {"cone_apex", 3, 8.1451460928, 1e-8},
                                      {"cut_cylinder", 9, 29.5753789123, 1e-6},
-                                     {"dilated", 3, ellipse_perimeter(1.5, 0.5) + 1.5 * pi, 1e-9},
+                                     {"dilated", 3, ellipse_perimeter(1.5, 0.5) + 1.5 * std::numbers::pi, 1e-9},
                                      {"extrude_spline", 1, 6.24955303765, 1e-10},
                                      {"filling", 1, 1.05607223709, 1e-7},
                                      {"loft", 3, 17.9333066637, 1e-9},
@@ -52,9 +51,9 @@ const std::vector<File>& files() {
                                      {"ruled_loft", 8, 10.8613214505, 1e-10},
                                      {"scaled", 5, 1e-4 * zone, 1e-9},
                                      {"sphere_cone", 3, 13.8930965647, 1e-10},
-                                     {"sphere_whole", 1, 9.0 * pi, 1e-12},
+                                     {"sphere_whole", 1, 9.0 * std::numbers::pi, 1e-12},
                                      {"torus_cut", 3, 35.9241896427, 1e-6},
-                                     {"torus_whole", 1, 4.0 * pi * pi * 2.0 * 0.6, 1e-12},
+                                     {"torus_whole", 1, 4.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.6, 1e-12},
                                      {"two_cylinders", 4, 16.0, 1e-8},
                                      {"wedge", 6, 7.80277563773, 1e-10}};
   return all;

@@ -16,6 +16,7 @@
 #include "shared/mesh/mesh_check.h"
 #include "shared/surf/mesh/surface_elements.h"
 #include "tests/shared/surf/mesh/faces.h"
+#include "tests/support/in_size.h"
 #include "tests/support/surface_stand_ins.h"
 
 namespace dobra::surf::mesh {
@@ -61,15 +62,7 @@ Meshed meshed(const trim::TrimmedSurface& face, const SizeOptions& sizes, ChartM
     if (!stepped) return made;
   }
   made.face = mesher->mesh();
-  std::size_t edges = 0, in_size = 0;
-  for (const auto& edge : dobra::mesh::all_edges(made.face.chart)) {
-    const auto a = edge[0].index(), b = edge[1].index();
-    const double ratio = geom::distance(made.face.at[a], made.face.at[b]) /
-                         mesher->size_at(geom::midpoint(made.face.chart.points[a], made.face.chart.points[b]));
-    ++edges;
-    if (ratio >= 0.7 && ratio <= 1.4) ++in_size;
-  }
-  made.in_size = static_cast<double>(in_size) / static_cast<double>(edges);
+  made.in_size = support::part_in_size(*mesher, made.face);
   auto assembled = assemble({&face, 1}, made.division, {&made.face, 1});
   EXPECT_TRUE(assembled) << assembled.error().message;
   made.mesh = std::move(*assembled);
@@ -120,6 +113,16 @@ INSTANTIATE_TEST_SUITE_P(Each, ChartMesherOnStandIns,
                          testing::Values("6a", "6b", "7a", "7b", "7c", "8a", "8b", "8c", "8d", "8e", "8f"),
                          [](const auto& each) { return std::string("Figure") + each.param; });
 
+TEST(ChartMesher, SUR_f_EdgesOfMeshesTwiceAsCoarseAreAsLongAsAskedToo) {
+  for (const char* name : {"6a", "6b", "7a", "7b", "7c", "8a", "8b", "8c", "8d", "8e", "8f"}) {
+    const StandIn each = stand_in(name);
+    SizeOptions sizes = sizes_of(each);
+    sizes.largest *= 2.0;
+    sizes.turn *= 2.0;
+    EXPECT_GE(meshed(each.face, sizes).in_size, 0.99) << name;
+  }
+}
+
 TEST(ChartMesher, SUR_f_MeshesOfManyTrianglesAreAsGoodAsAsked) {
   if (std::getenv("DOBRA_SURFACES_LARGE") == nullptr) GTEST_SKIP() << "DOBRA_SURFACES_LARGE=1 asks for them";
   for (const char* name : {"6c", "7d", "7e", "7f"}) {
@@ -133,7 +136,7 @@ TEST(ChartMesher, SUR_f_MeshesOfManyTrianglesAreAsGoodAsAsked) {
   }
 }
 
-/// What is smoothed less has the same triangles at first, so the limit alone is brought down to sizes of tests.
+/// A mesh counts as large from 100 triangles on here, so that small ones are smoothed as large ones are.
 TEST(ChartMesher, SUR_f_LargeMeshesAreAsGoodAsAskedWithOneRound) {
   for (const char* name : {"7c", "8c", "7a", "6b"}) {
     const StandIn each = stand_in(name);

@@ -159,7 +159,9 @@ TEST(Division, SizesGrowAlongTheBorderAndRoundCornersByNoMoreThanAllowed) {
   corner.to = 0.5 * pi;
   face.loops[0].edges = {straight({0, 0}, {99, 0}), corner, straight({100, 1}, {100, 100}),
                          straight({100, 100}, {0, 100}), straight({0, 100}, {0, 0})};
-  const Division division = divided({&face, 1}, with(10, 10));
+  DivisionOptions options = with(10, 10);
+  options.sizes.growth = 1.2;
+  const Division division = divided({&face, 1}, options);
   const ChartInput& input = division.faces[0];
   double last = test::side_in_space(input, input.chart.edges.back());
   double greatest = 1.0;

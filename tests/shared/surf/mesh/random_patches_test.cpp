@@ -467,8 +467,10 @@ void check_line(const Case& given, const SurfaceMesh& mesh, std::size_t i) {
         geom::distance(given.patch.surface.at(in_chart(at(k), box)), given.patch.surface.at(in_chart(at(k + 1), box)));
   }
   double held = 0.0;
-  const auto set = mesh.constraint_sets.find("line" + std::to_string(i));
-  if (set != mesh.constraint_sets.end()) {
+  // What lies on a border within what counts as one point is in the set of the border.
+  for (const auto* sets : {&mesh.constraint_sets, &mesh.boundary_sets}) {
+    const auto set = sets->find("line" + std::to_string(i));
+    if (set == sets->end()) continue;
     const std::map<Side, int> sides = sides_of(mesh.triangles);
     for (const Edge& edge : set->second) {
       const std::size_t a = edge[0].index(), b = edge[1].index();

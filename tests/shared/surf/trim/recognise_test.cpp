@@ -58,6 +58,44 @@ TEST(Recognise, AHoleAndALineInside) {
   EXPECT_NE(with_hole.loops[1].edges[0].against, found->faces()[*disk].loops[0].edges[0].against);
 }
 
+TEST(Recognise, ARingMayRunAlongSeveralSidesOfTheChart) {
+  const auto ring = [](const std::vector<Point3>& corners) {
+    const Curve curve = *Curve::polyline(corners);
+    const ChartEdge edge{.curve = curve, .from = curve.low(), .to = curve.high(), .name = "ring"};
+    return TrimLine{{{edge}, ChartLine::Kind::Interface}, true, true};
+  };
+  const auto found =
+      recognise(square(10), std::vector{ring({{3, 0, 0}, {10, 0, 0}, {10, 10, 0}, {3, 10, 0}, {3, 0, 0}})});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->faces().size(), 2U);
+  EXPECT_NEAR(chart_area(found->faces()[*found->pick({5, 5})]), 70.0, 1e-9);
+  EXPECT_NEAR(chart_area(found->faces()[*found->pick({1, 5})]), 30.0, 1e-9);
+  // The cap of a sphere: along the pole and both sides of the seam.
+  const Surface ball = *Surface::sphere({}, 2.0, {{0, -pi / 2}, {2 * pi, pi / 2}});
+  const auto cap = recognise(
+      ball, std::vector{ring({{0, 1.4, 0}, {2 * pi, 1.4, 0}, {2 * pi, pi / 2, 0}, {0, pi / 2, 0}, {0, 1.4, 0}})});
+  ASSERT_TRUE(cap.ok()) << cap.error().message;
+  ASSERT_EQ(cap->faces().size(), 2U);
+  EXPECT_NEAR(chart_area(cap->faces()[*cap->pick({3, 1.5})]), 2 * pi * (pi / 2 - 1.4), 1e-9);
+}
+
+TEST(Recognise, ALineThatPassesItsOwnEndsHasTwoLobes) {
+  // A figure of eight through its own beginning: two lobes, turned into each other by half a turn.
+  const std::vector<Point3> eight{{5, 5, 0}, {7, 7, 0}, {8, 5, 0}, {7, 3, 0}, {5, 5, 0},
+                                  {3, 7, 0}, {2, 5, 0}, {3, 3, 0}, {5, 5, 0}};
+  const Curve curve = *Curve::through(eight);
+  const ChartEdge edge{.curve = curve, .from = curve.low(), .to = curve.high(), .name = "eight"};
+  const auto found = recognise(square(10), std::vector{TrimLine{{{edge}, ChartLine::Kind::Interface}, true, true}});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->faces().size(), 3U);
+  const auto right = found->pick({7, 5}), left = found->pick({3, 5}), outside = found->pick({1, 1});
+  ASSERT_TRUE(right.ok() && left.ok() && outside.ok());
+  ASSERT_TRUE(*right != *left && *left != *outside);
+  const double lobes = chart_area(found->faces()[*right]) + chart_area(found->faces()[*left]);
+  EXPECT_GT(lobes, 12.0);
+  EXPECT_NEAR(chart_area(found->faces()[*outside]) + lobes, 100.0, 1e-9);
+}
+
 TEST(Recognise, AClosedLineThatBoundsNothingLiesInsideOneFace) {
   TrimLine ring = circle({5, 5}, 2), across{{{straight({0, 5}, {10, 5})}}};
   ring.bounds = across.bounds = false;

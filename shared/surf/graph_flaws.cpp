@@ -1,0 +1,259 @@
+#include "shared/surf/graph_flaws.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "shared/base/formula.h"
+
+namespace dobra::surf {
+
+using geom::Box;
+using geom::Point;
+
+namespace {
+
+class Looker {
+ public:
+  Looker(const std::function<double(double, double)>& height, const Box& chart, const GraphFlawOptions& options)
+      : height_(height), chart_(chart), options_(options) {}
+
+  GraphFlaws run() {
+    find_range();
+    for (const bool along_x : {true, false}) {
+      kinks_.clear();
+      for (int i = 0; i < options_.lines; ++i) {
+        // No line of symmetry, where kinks of both directions would meet.
+        const double part = (i + 0.4637) / options_.lines;
+        look_along(along_x, along_x ? std::lerp(chart_.low.y, chart_.high.y, part)
+                                    : std::lerp(chart_.low.x, chart_.high.x, part));
+      }
+      sort_kinks(along_x);
+    }
+    look_round(most_bent());
+    return std::move(found_);
+  }
+
+ private:
+  void find_range() {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    constexpr int places = 64;
+    for (int i = 0; i <= places * places; ++i) {
+      const double z = height_(std::lerp(chart_.low.x, chart_.high.x, (i / places + 0.31) / (places + 1.0)),
+                               std::lerp(chart_.low.y, chart_.high.y, (i % places + 0.57) / (places + 1.0)));
+      if (std::isfinite(z)) low = std::min(low, z), high = std::max(high, z);
+    }
+    range_ = std::max(high - low, 0.0);
+  }
+
+  /// The height along a line, by the way along it.
+  struct Line {
+    const std::function<double(double, double)>& height;
+    bool along_x;
+    double at;
+    [[nodiscard]] Point place(double s) const { return along_x ? Point{s, at} : Point{at, s}; }
+    [[nodiscard]] double operator()(double s) const { return along_x ? height(s, at) : height(at, s); }
+  };
+
+  void look_along(bool along_x, double at) {
+    const Line line{height_, along_x, at};
+    const double low = along_x ? chart_.low.x : chart_.low.y, high = along_x ? chart_.high.x : chart_.high.y;
+    const int n = options_.places;
+    std::vector<double> z;
+    for (int i = 0; i <= n; ++i) z.push_back(line(std::lerp(low, high, static_cast<double>(i) / n)));
+    std::vector<double> bent(z.size(), 0.0), stands_out(z.size(), 0.0);
+    for (std::size_t i = 1; i + 1 < z.size(); ++i) {
+      bent[i] = std::abs(z[i - 1] - 2.0 * z[i] + z[i + 1]);
+      if (!std::isfinite(bent[i])) bent[i] = std::numeric_limits<double>::max();
+    }
+    for (std::size_t i = 1; i + 1 < z.size(); ++i) {
+      const double beside = (i > 2 ? bent[i - 2] : 0.0) + (i + 3 < z.size() ? bent[i + 2] : 0.0);
+      stands_out[i] = bent[i] / (beside + 1e-14 * (range_ + 1e-300));
+    }
+    const double step = (high - low) / n;
+    std::vector<std::size_t> chosen;
+    for (std::vector<double>* by : {&bent, &stands_out}) {
+      for (int k = 0; k < options_.candidates; ++k) {
+        const auto most = static_cast<std::size_t>(std::max_element(by->begin(), by->end()) - by->begin());
+        if (!((*by)[most] > 0.0)) break;
+        chosen.push_back(most);
+        for (std::size_t i = most > 0 ? most - 1 : 0; i <= std::min(most + 1, by->size() - 1); ++i) (*by)[i] = 0.0;
+      }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    for (const std::size_t i : chosen) {
+      const double middle = std::lerp(low, high, static_cast<double>(i) / n);
+      look_closer(line, std::max(low, middle - step), std::min(high, middle + step), high - low);
+    }
+  }
+
+  /// The greatest second difference of 16 steps between two places, and where.
+  struct Sharpest {
+    double difference = 0.0, at = 0.0, step = 0.0, greatest = 0.0;
+    bool finite = true;
+  };
+  static Sharpest sharpest(const Line& line, double from, double to) {
+    constexpr int steps = 16;
+    std::array<double, steps + 1> z{};
+    Sharpest found;
+    found.step = (to - from) / steps;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double s = std::lerp(from, to, static_cast<double>(i) / steps);
+      z[i] = line(s);
+      if (!std::isfinite(z[i])) return {0.0, s, found.step, 0.0, false};
+      found.greatest = std::max(found.greatest, std::abs(z[i]));
+    }
+    for (std::size_t i = 1; i < steps; ++i) {
+      const double difference = std::abs(z[i - 1] - 2.0 * z[i] + z[i + 1]);
+      if (difference > found.difference)
+        found.difference = difference, found.at = std::lerp(from, to, static_cast<double>(i) / steps);
+    }
+    return found;
+  }
+
+  void look_closer(const Line& line, double from, double to, double width) {
+    const double low = from, high = to;
+    std::vector<Sharpest> levels;
+    constexpr double noise = 1e3 * std::numeric_limits<double>::epsilon();
+    const double nearest = std::max(1e-11 * width, noise * std::max(std::abs(low), std::abs(high)));
+    while (to - from > nearest) {
+      const Sharpest next = sharpest(line, from, to);
+      if (!next.finite)
+        return add(levels.size() > 1 && grows(levels) ? GraphFlawKind::Pole : GraphFlawKind::NoValue,
+                   line.place(next.at));
+      if (!(next.difference > noise * next.greatest)) break;
+      levels.push_back(next);
+      from = std::max(low, next.at - next.step), to = std::min(high, next.at + next.step);
+    }
+    constexpr std::size_t fewest = 5;
+    if (levels.size() < fewest) return;
+    judge(line, line.place(levels.back().at), levels, width);
+  }
+  static bool grows(const std::vector<Sharpest>& levels) {
+    return levels.back().difference > levels.front().difference;
+  }
+
+  /// Of a net of places, where the second differences along x and along y are greatest.
+  [[nodiscard]] Point most_bent() const {
+    constexpr int places = 96;
+    const double dx = chart_.width() / places, dy = chart_.height() / places;
+    Point most = chart_.centre();
+    double greatest = -1.0;
+    for (int i = 1; i < places; ++i) {
+      for (int j = 1; j < places; ++j) {
+        const Point p{chart_.low.x + i * dx, chart_.low.y + j * dy};
+        const double bent = bent_at(p, dx, dy);
+        if (bent > greatest) greatest = bent, most = p;
+      }
+    }
+    return most;
+  }
+  [[nodiscard]] double bent_at(Point p, double dx, double dy) const {
+    const double twice = 2.0 * height_(p.x, p.y);
+    return std::abs(height_(p.x - dx, p.y) - twice + height_(p.x + dx, p.y)) +
+           std::abs(height_(p.x, p.y - dy) - twice + height_(p.x, p.y + dy));
+  }
+  /// Closer and closer to a place that no line may pass, as the point of a cone.
+  void look_round(Point middle) {
+    constexpr int half = 4;
+    constexpr double start = 1.0 / 64.0, noise = 1e3 * std::numeric_limits<double>::epsilon(), closer = 1.0 / half;
+    std::vector<Sharpest> levels;
+    for (double part = start; part > 1e-10; part *= closer) {
+      const double dx = part * chart_.width() / half, dy = part * chart_.height() / half;
+      const Point before = middle;
+      Sharpest here{0.0, 0.0, dx, std::abs(height_(middle.x, middle.y)), true};
+      for (int i = -half; i <= half; ++i) {
+        for (int j = -half; j <= half; ++j) {
+          const Point p = before + geom::Vector{i * dx, j * dy};
+          if (p.x - dx < chart_.low.x || p.x + dx > chart_.high.x || p.y - dy < chart_.low.y ||
+              p.y + dy > chart_.high.y)
+            continue;
+          const double bent = bent_at(p, dx, dy);
+          if (!(bent > here.difference)) continue;
+          here.difference = bent, middle = p;
+        }
+      }
+      if (!std::isfinite(here.difference) || !(here.difference > noise * here.greatest)) break;
+      levels.push_back(here);
+    }
+    constexpr std::size_t fewest = 5;
+    if (levels.size() < fewest) return;
+    const std::size_t kinks = kinks_.size();
+    judge({height_, true, middle.y}, middle, levels, chart_.width());
+    if (kinks_.size() == kinks) return;
+    const auto on = [](const std::vector<double>& lines, double at, double range) {
+      constexpr double beside = 1e-6;
+      return std::any_of(lines.begin(), lines.end(), [&](double c) { return std::abs(c - at) <= beside * range; });
+    };
+    if (!on(found_.kinks_x, middle.x, chart_.width()) && !on(found_.kinks_y, middle.y, chart_.height()))
+      add(GraphFlawKind::Kink, middle);
+  }
+
+  void judge(const Line& line, Point at, const std::vector<Sharpest>& levels, double width) {
+    const Sharpest &last = levels.back(), &before = levels[levels.size() - 4];
+    const double power = std::log(before.difference / last.difference) / std::log(before.step / last.step);
+    const double slope = last.difference / last.step, bend = slope / last.step;
+    constexpr double smooth = 1.7, kink_most = 1.25, kink_least = 0.75, jump_most = 0.12;
+    constexpr double steep = 1.0, curved = 1e3;
+    if (power > smooth) return;
+    if (power > kink_most) {
+      if (bend * width > curved) add(GraphFlawKind::Steep, at);
+    } else if (power > kink_least) {
+      if (slope > options_.kink) kinks_.push_back({at, line.along_x ? at.x : at.y});
+    } else if (power > jump_most) {
+      if (slope > steep) add(GraphFlawKind::Steep, at);
+    } else if (power > -jump_most) {
+      if (last.difference > options_.jump * range_) add(GraphFlawKind::Jump, at);
+    } else {
+      add(GraphFlawKind::Pole, at);
+    }
+  }
+
+  void add(GraphFlawKind kind, Point at) { found_.flaws.push_back({kind, at}); }
+
+  struct Kink {
+    Point at;
+    double along;
+  };
+  /// Kinks at one place of three lines and more run across them.
+  void sort_kinks(bool along_x) {
+    std::sort(kinks_.begin(), kinks_.end(), [](const Kink& a, const Kink& b) { return a.along < b.along; });
+    const double same = 1e-9 * (along_x ? chart_.width() : chart_.height());
+    for (std::size_t i = 0; i < kinks_.size();) {
+      std::size_t end = i + 1;
+      while (end < kinks_.size() && kinks_[end].along - kinks_[i].along <= same) ++end;
+      constexpr std::size_t fewest = 3;
+      if (end - i >= fewest) {
+        (along_x ? found_.kinks_x : found_.kinks_y).push_back(kinks_[i + (end - i) / 2].along);
+      } else {
+        add(GraphFlawKind::Kink, kinks_[i].at);
+      }
+      i = end;
+    }
+  }
+
+  const std::function<double(double, double)>& height_;
+  const Box& chart_;
+  const GraphFlawOptions& options_;
+  double range_ = 0.0;
+  std::vector<Kink> kinks_;  ///< Of lines in one direction.
+  GraphFlaws found_;
+};
+
+}  // namespace
+
+GraphFlaws graph_flaws(const std::function<double(double, double)>& height, const Box& chart,
+                       const GraphFlawOptions& options) {
+  return Looker(height, chart, options).run();
+}
+
+base::Result<GraphFlaws> graph_flaws(const std::string& formula, const Box& chart, const GraphFlawOptions& options) {
+  const std::array<std::string, 2> names{"x", "y"};
+  DOBRA_TRY(const base::Formula height, base::Formula::make(formula, names));
+  return graph_flaws([&](double x, double y) { return height.at(std::array{x, y}); }, chart, options);
+}
+
+}  // namespace dobra::surf

@@ -1,0 +1,95 @@
+// Kinks, jumps, poles and steep places of formulas, and formulas that have none however much they wave.
+
+#include "shared/surf/graph_flaws.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/surf/surface.h"
+
+namespace dobra::surf {
+namespace {
+
+const geom::Box square{{-1, -1}, {1, 1}};
+
+GraphFlaws flaws_of(const std::string& formula, const geom::Box& chart = square) {
+  const auto found = graph_flaws(formula, chart);
+  EXPECT_TRUE(found.ok()) << (found ? "" : to_string(found.error()));
+  return found ? *found : GraphFlaws{};
+}
+bool has(const GraphFlaws& found, GraphFlawKind kind) {
+  return std::any_of(found.flaws.begin(), found.flaws.end(), [&](const auto& flaw) { return flaw.kind == kind; });
+}
+
+TEST(GraphFlaws, AJumpIsFoundWhereItIs) {
+  const GraphFlaws found = flaws_of("x > 0.123 ? 1 : 0");
+  ASSERT_TRUE(has(found, GraphFlawKind::Jump));
+  for (const GraphFlaw& flaw : found.flaws) EXPECT_NEAR(flaw.at.x, 0.123, 1e-9);
+  EXPECT_TRUE(has(flaws_of("x + y > 0.3 ? 1 : 0.9"), GraphFlawKind::Jump));
+}
+
+TEST(GraphFlaws, APoleIsFoundBetweenPlacesOfAnyGrid) {
+  const GraphFlaws found = flaws_of("1 / (x - 0.0137)");
+  ASSERT_FALSE(found.flaws.empty());
+  EXPECT_TRUE(has(found, GraphFlawKind::Pole) || has(found, GraphFlawKind::NoValue));
+  EXPECT_NEAR(found.flaws[0].at.x, 0.0137, 1e-6);
+  EXPECT_FALSE(flaws_of("1 / ((x - 0.0137) * (x - 0.0137))").flaws.empty());
+}
+
+TEST(GraphFlaws, ASlopeOrABendWithoutBoundIsFound) {
+  for (const char* const formula : {"sqrt(1 - x * x)", "abs(x) ^ (1 / 3)", "abs(x - 0.2) ^ 1.5", "sqrt(abs(y - 0.1))"})
+    EXPECT_TRUE(has(flaws_of(formula), GraphFlawKind::Steep)) << formula;
+}
+
+TEST(GraphFlaws, AKinkAlongXOrYIsALine) {
+  const GraphFlaws found = flaws_of("abs(x - 0.013) + 0.01 * abs(y + 0.2)");
+  EXPECT_TRUE(found.flaws.empty());
+  ASSERT_EQ(found.kinks_x.size(), 1U);
+  ASSERT_EQ(found.kinks_y.size(), 1U);
+  EXPECT_NEAR(found.kinks_x[0], 0.013, 1e-10);
+  EXPECT_NEAR(found.kinks_y[0], -0.2, 1e-9);
+}
+
+TEST(GraphFlaws, AKinkThatRunsElsewhereIsTold) {
+  for (const char* const formula : {"abs(x - y)", "hypot(x, y)", "abs(x * x + y * y - 0.3)", "max(x, y * y)"}) {
+    const GraphFlaws found = flaws_of(formula);
+    EXPECT_TRUE(has(found, GraphFlawKind::Kink)) << formula;
+    EXPECT_TRUE(found.kinks_x.empty() && found.kinks_y.empty()) << formula;
+  }
+}
+
+TEST(GraphFlaws, WhatIsSmoothHasNone) {
+  for (const char* const formula :
+       {"0", "1e-12 * x * y", "x * y", "sin(50 * x) * cos(40 * y)", "sin(1000 * x)", "exp(-2000 * (x * x + y * y))",
+        "1 / (x * x + 1e-4)", "tanh(1000 * x)", "x ^ 3 - 3 * x * y ^ 2", "(x + 1e6) ^ 2 - 1e12", "abs(x) ^ 3"}) {
+    const GraphFlaws found = flaws_of(formula);
+    EXPECT_TRUE(found.flaws.empty()) << formula << ": kind " << static_cast<int>(found.flaws[0].kind) << " at "
+                                     << found.flaws[0].at.x << ", " << found.flaws[0].at.y;
+    EXPECT_TRUE(found.kinks_x.empty() && found.kinks_y.empty()) << formula;
+  }
+  EXPECT_TRUE(flaws_of("0 * x", {{1e8, -1}, {1e8 + 2, 1}}).flaws.empty());
+  EXPECT_TRUE(flaws_of("sin(x)", {{1e8, -1}, {1e8 + 2, 1}}).flaws.empty());
+}
+
+TEST(GraphFlaws, AGraphHasKinksWhereItsFormulaHas) {
+  const auto surface = Surface::graph("abs(x - 0.25) * (2 + y) + y * y", square);
+  ASSERT_TRUE(surface.ok());
+  ASSERT_EQ(surface->kinks().u.size(), 3U);
+  EXPECT_NEAR(surface->kinks().u[1], 0.25, 1e-10);
+  // Derivatives are those of the side, up to the kink.
+  for (const double x : {-0.5, 0.2499, 0.2501, 0.8}) {
+    const double side = x < 0.25 ? -1.0 : 1.0;
+    const Jet jet = surface->jet({x, 0.3});
+    EXPECT_NEAR(jet.u.z, side * 2.3, 1e-6) << x;
+    EXPECT_NEAR(jet.uv.z, side, 1e-5) << x;
+    EXPECT_NEAR(jet.uu.z, 0.0, 1e-3) << x;
+    EXPECT_NEAR(jet.v.z, std::abs(x - 0.25) + 0.6, 1e-6) << x;
+  }
+  EXPECT_LT(surface->bend({{-1, -1}, {1, 1}}).uu, 1e-6);
+}
+
+}  // namespace
+}  // namespace dobra::surf
