@@ -120,11 +120,16 @@ void add_part(const solids::Part& part, const std::string& key, std::string titl
     const auto triangles = triangles_of(solid);
     if (!triangles) continue;
     const auto shift = [&](std::uint32_t shell) { return shifts.empty() ? Vector3{} : shifts[b][shell]; };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> taken;  // points of a shell, which faces share
     for (std::size_t t = 0; t < triangles->corners.size(); ++t) {
-      const auto first = static_cast<std::uint32_t>(points.size());
-      for (const std::uint32_t corner : triangles->corners[t])
-        points.push_back(triangles->points[corner] + shift(triangles->shells[t]));
-      corners.push_back({first, first + 1, first + 2});
+      const std::uint32_t shell = triangles->shells[t];
+      auto& triangle = corners.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t corner = triangles->corners[t][i];
+        const auto [place, fresh] = taken.try_emplace({shell, corner}, static_cast<std::uint32_t>(points.size()));
+        if (fresh) points.push_back(triangles->points[corner] + shift(shell));
+        triangle[i] = place->second;
+      }
       const auto name = std::lower_bound(names.begin(), names.end(), triangles->names[t]);
       ids.push_back(static_cast<std::uint32_t>(name - names.begin()));
       colors.push_back(color_of_body(part, b));

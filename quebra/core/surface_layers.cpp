@@ -76,7 +76,7 @@ constexpr scene::Color space_mesh_line{38, 50, 56};
 constexpr scene::Color isocurve_pink{216, 27, 96};
 constexpr scene::Color normal_violet{123, 31, 162};
 constexpr scene::Color finding_orange{230, 81, 0};
-constexpr scene::Color face_fill{205, 220, 234};
+constexpr scene::Color face_fill{150, 178, 204};  // lines are seen on it, dark ones on paper and white ones on black
 constexpr scene::Color left_out_fill{224, 224, 224};
 constexpr scene::Color left_out_line{158, 158, 158};
 constexpr int samples_an_edge = 96;

@@ -158,6 +158,7 @@ void MainWindow::changeEvent(QEvent* event) {
   if (event->type() != QEvent::PaletteChange || results_ == nullptr) return;
   // Behind the children, which hear of it later.
   QTimer::singleShot(0, this, [this] {
+    error_bar_->take_colors();
     show_canvas();
     form_->form()->commit();
     form_->forget();

@@ -292,7 +292,8 @@ void MainWindow::show_section(bool on) {
     show_picture();
     fit_next_ = false;
   }
-  if (on) canvas_->say(text("Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back."));
+  canvas_->say(on ? text("Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back.")
+                  : QString());
 }
 
 void MainWindow::add_space_switches() {
