@@ -191,9 +191,13 @@ TEST_F(ThemeTest, EveryWordOnTheScreenIsReadableAlsoWhatIsWrong) {
 
 TEST_F(ThemeTest, AnErrorHasTheColoursOfTheThemeWhetherItWasInSightBeforeOrNot) {
   const auto is_as_the_theme = [&] {
-    QTest::qWait(20);
-    const QImage seen = window.error_bar().grab().toImage();
-    return (seen.pixelColor(seen.width() / 2, 3).lightness() < 128) == theme::is_dark(QApplication::palette());
+    return QTest::qWaitFor(
+        [&] {
+          const QImage seen = window.error_bar().grab().toImage();
+          const bool is_dark = seen.pixelColor(seen.width() / 2, 3).lightness() < 128;
+          return is_dark == theme::is_dark(QApplication::palette());
+        },
+        2000);
   };
   for (const auto& [first, then] : {std::pair("theme.dark", "theme.light"), std::pair("theme.light", "theme.dark")}) {
     window.error_bar().clear();
