@@ -132,22 +132,4 @@ void add_part_outputs(const std::shared_ptr<const model::Model>& model, std::vec
                      {}});
 }
 
-void draw_parts(const model::Model& model, dobra::scene::space::SpacePicture& picture) {
-  if (!model.solids) return;
-  for (const Part& part : model.solids->parts) {
-    const auto solid = whole(part);
-    if (!solid || solid->empty()) continue;
-    const auto faces = solid::to_mesh(*solid, solid::FacesAs::Triangles);
-    if (!faces) continue;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const auto& face : faces->mesh.faces) triangles.push_back({face[0], face[1], face[2]});
-    dobra::scene::space::Surface surface;
-    surface.points = faces->mesh.points;
-    surface.triangles = std::move(triangles);
-    const bool last = &part == &model.solids->parts.back();
-    picture.layers.push_back(
-        {.key = "part." + part.name, .title = part.name, .style = {}, .content = std::move(surface), .visible = last});
-  }
-}
-
 }  // namespace quebra::solids

@@ -51,8 +51,6 @@ NextModel cut_to_domain(const model::Model&, const CutParams&, const StepContext
 void add_part_quantities(const model::Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 /// The last part as "solid.obj".
 void add_part_outputs(const std::shared_ptr<const model::Model>& model, std::vector<dobra::scenario::Output>& outputs);
-/// Triangles of the parts that no other part is made of.
-void draw_parts(const model::Model& model, dobra::scene::space::SpacePicture& picture);
 
 /// How many shapes and operations the last step had to compute.
 std::size_t computed_last();

@@ -3376,8 +3376,8 @@
         <translation>Clique no ponto</translation>
     </message>
     <message>
-        <source>Click points: length and dip of each way, and from the third point on the area</source>
-        <translation>Clique em pontos: comprimento e mergulho de cada trecho; a partir do terceiro, a área</translation>
+        <source>Click points: length and direction of each way, and from the third point on the area</source>
+        <translation>Clique em pontos: comprimento e direção de cada trecho; a partir do terceiro, a área</translation>
     </message>
     <message>
         <source>A closed line needs three points that do not lie in line</source>
@@ -6269,6 +6269,58 @@
     <message>
         <source>Lines of constant u and v</source>
         <translation>Linhas de u e v constantes</translation>
+    </message>
+    <message>
+        <source>(at %1, %2, %3)</source>
+        <translation>(em %1; %2; %3)</translation>
+    </message>
+    <message>
+        <source>(u = %1, v = %2)</source>
+        <translation>(u = %1; v = %2)</translation>
+    </message>
+    <message>
+        <source>{:.6g} {}, angle {:.1f}°</source>
+        <translation>{:.6g} {}, ângulo {:.1f}°</translation>
+    </message>
+    <message>
+        <source>angle {:.1f}°</source>
+        <translation>ângulo {:.1f}°</translation>
+    </message>
+    <message>
+        <source>Shells apart</source>
+        <translation>Cascas separadas</translation>
+    </message>
+    <message>
+        <source>Draws the shells of a solid away from each other</source>
+        <translation>Desenha as cascas de um sólido afastadas umas das outras</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arestas</translation>
+    </message>
+    <message>
+        <source>Faces that are cut</source>
+        <translation>Faces cortadas</translation>
+    </message>
+    <message>
+        <source>Mine pillar of solids</source>
+        <translation>Pilar de mina em sólidos</translation>
+    </message>
+    <message>
+        <source>Blocks, a dyke and bores, combined step by step; its section is meshed and analysed.</source>
+        <translation>Blocos, um dique e furos, combinados passo a passo; a seção é malhada e analisada.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constatações</translation>
+    </message>
+    <message>
+        <source>along the section</source>
+        <translation>ao longo do corte</translation>
+    </message>
+    <message>
+        <source>up the section</source>
+        <translation>corte acima</translation>
     </message>
     <message>
         <source>Control points</source>
