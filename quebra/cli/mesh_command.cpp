@@ -166,11 +166,8 @@ Figures figures_of(const scenario::Program& program, const scenario::State& stat
   return figures;
 }
 
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
-
-std::string json_text(const Figures& figures, const std::vector<std::string>& remarks, const model::Model& model) {
+nlohmann::ordered_json json_of(const Figures& figures, const std::vector<std::string>& remarks,
+                               const model::Model& model) {
   nlohmann::ordered_json json;
   for (const auto& [name, value, unit] : figures.values) {
     if (is_one(counts, name)) {
@@ -188,7 +185,7 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   json["peak_memory"] = figures.peak_memory;
   if (model.surfaces) json["findings"] = findings_json(core::findings_of(model), model.units);
   json["remarks"] = remarks;
-  return text_of(json);
+  return json;
 }
 
 std::string table_text(const Figures& figures) {
@@ -295,7 +292,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, remarks, model)));
+    DOBRA_TRY_VOID(print_json(json_of(figures, remarks, model)));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(table_text(figures)));
   }
@@ -303,7 +300,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
 }
 
 /// A refusal of bad surfaces, or of what cannot be meshed of them, as JSON too.
-Result<void> tell_refusal(Session& session, const MeshOptions& options, const Error& error) {
+Result<void> tell_mesh_refusal(Session& session, const MeshOptions& options, const Error& error) {
   const int code = base::exit_code(error.code);
   if (session.options.format != dobra::cli::OutputFormat::Json || (code != 3 && code != 4)) return {};
   const std::filesystem::path& file = options.input.scenario.file;
@@ -319,7 +316,7 @@ Result<void> tell_refusal(Session& session, const MeshOptions& options, const Er
   if (!told) findings.push_back(finding_of(error));
   nlohmann::ordered_json json;
   json["findings"] = findings_json(findings, {});
-  return dobra::cli::print(text_of(json));
+  return print_json(json);
 }
 
 }  // namespace
@@ -360,7 +357,7 @@ Command mesh_command() {
                 ->type_name("FILE.svg|pdf|png");
             return [options](Session& session) -> Result<int> {
               auto done = mesh_job(session, *options);
-              if (!done) DOBRA_TRY_VOID(tell_refusal(session, *options, done.error()));
+              if (!done) DOBRA_TRY_VOID(tell_mesh_refusal(session, *options, done.error()));
               return done;
             };
           }};

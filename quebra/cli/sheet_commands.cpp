@@ -55,33 +55,10 @@ Result<void> write_staged(Session& session, const Path& out,
   return {};
 }
 
-Result<void> print_sheet_json(const Json& json) {
-  return dobra::cli::print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-}
-
-/// All of it as JSON, or its numbers as a table and its findings as notes.
-Result<void> tell_sheet(Session& session, const Json& json, const std::vector<surf::mesh::Finding>& findings) {
-  if (session.options.format == dobra::cli::OutputFormat::Json) return print_sheet_json(json);
-  for (const auto& finding : findings) session.note(finding.message);
-  if (session.options.verbosity == dobra::cli::Verbosity::Quiet) return {};
-  std::string text;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number() || value.is_string()) text += fmt::format("{:<20} {}\n", name, value.dump());
-  }
-  return dobra::cli::print(text);
-}
-
-Result<void> tell_sheet_refusal(Session& session, const Error& error) {
-  if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
-  Json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
-  return print_sheet_json(json);
-}
-
 template <class Work>
 Result<int> with_refusal(Session& session, Work&& work) {
   Result<int> done = work();
-  if (!done) DOBRA_TRY_VOID(tell_sheet_refusal(session, done.error()));
+  if (!done) DOBRA_TRY_VOID(tell_refusal(session, done.error()));
   return done;
 }
 
@@ -198,7 +175,7 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
     DOBRA_TRY_VOID(write_staged(session, *command.out,
                                 [&](const std::string& path) { return write_chart(path, *charted, patch_of); }));
   }
-  DOBRA_TRY_VOID(tell_sheet(session, json, charted->findings));
+  DOBRA_TRY_VOID(tell(session, json, charted->findings));
   return 0;
 }
 
@@ -302,7 +279,7 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
   json["seconds"] = {
       {"read", read}, {"remesh", meshed - read}, {"write", watch.seconds() - meshed}, {"total", watch.seconds()}};
   json["findings"] = findings_json(made->findings, {});
-  DOBRA_TRY_VOID(tell_sheet(session, json, made->findings));
+  DOBRA_TRY_VOID(tell(session, json, made->findings));
   return 0;
 }
 

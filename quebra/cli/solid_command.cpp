@@ -279,22 +279,6 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   return json;
 }
 
-Result<void> print_json(const nlohmann::ordered_json& json) {
-  return dobra::cli::print(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-}
-
-Result<void> tell(Session& session, const Outcome& outcome) {
-  const nlohmann::ordered_json json = json_of(outcome);
-  if (session.options.format == dobra::cli::OutputFormat::Json) return print_json(json);
-  for (const Finding& finding : outcome.findings) session.note(finding.message);
-  if (session.options.verbosity == dobra::cli::Verbosity::Quiet) return {};
-  std::string text;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number()) text += fmt::format("{:<9} {}\n", name, value.dump());
-  }
-  return dobra::cli::print(text);
-}
-
 /// What can be said before anything is read.
 Result<void> check_options(const SolidOptions& options, const std::vector<Step>& steps) {
   if (options.extras.cut) {
@@ -341,16 +325,8 @@ Result<int> solid_job(Session& session, const SolidOptions& options, const std::
   } else if (options.out) {
     DOBRA_TRY_VOID(timed(outcome.seconds.write, [&] { return write_out(session, *options.out, outcome); }));
   }
-  DOBRA_TRY_VOID(tell(session, outcome));
+  DOBRA_TRY_VOID(tell(session, json_of(outcome), outcome.findings));
   return 0;
-}
-
-/// A refusal as JSON too.
-Result<void> tell_refusal(Session& session, const Error& error) {
-  if (session.options.format != dobra::cli::OutputFormat::Json || error.code == ErrorCode::Cancelled) return {};
-  nlohmann::ordered_json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
-  return print_json(json);
 }
 
 void add_options(CLI::App& app, SolidOptions& options) {

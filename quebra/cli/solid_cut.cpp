@@ -152,16 +152,14 @@ Result<CutFigures> cut_bodies(Session& session, const std::vector<Bodies::Body>&
   }
   DOBRA_TRY(const solid::Section section, solid::Sections(solids).cut(plane));
   const solid::Cap cap = solid::cap_of(section);
-  DOBRA_TRY(const Contact contact, solid::contact_with(solids, plane));
+  DOBRA_TRY(const solid::PlaneContact contact, solid::contact_with(solids, plane));
   CutFigures figures;
   figures.frame = cap.frame;
   if (cap.empty()) {
-    findings.push_back(empty_section(contact));
+    findings.push_back(empty_section(contact.most));
     return figures;
   }
-  if (contact == Contact::Face)
-    findings.push_back(
-        {"cut_in_face", "--cut: the plane lies in a face; the section is that of what lies just below the plane", {}});
+  if (contact.in_face) findings.push_back({"cut_in_face", fmt::format("--cut: {}", solids::cut_in_face), {}});
   std::set<std::string> regions;
   for (const solid::CapRegion& region : cap.regions) {
     figures.area += region.area;

@@ -1,5 +1,9 @@
 #include "quebra/cli/surface_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "shared/scenario/units.h"
 
 namespace quebra::cli {
@@ -113,6 +117,32 @@ nlohmann::ordered_json findings_json(const std::vector<surf::mesh::Finding>& fin
 
 surf::mesh::Finding finding_of(const base::Error& error) {
   return {name_of(error.code), error.message, error.place.value_or(base::Place{})};
+}
+
+base::Result<void> print_json(const nlohmann::ordered_json& json) {
+  return dobra::cli::print(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+}
+
+base::Result<void> tell_refusal(dobra::cli::Session& session, const base::Error& error) {
+  if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
+  nlohmann::ordered_json json;
+  json["findings"] = findings_json({finding_of(error)}, {});
+  return print_json(json);
+}
+
+base::Result<void> tell(dobra::cli::Session& session, const nlohmann::ordered_json& json,
+                        const std::vector<surf::mesh::Finding>& findings) {
+  if (session.options.format == dobra::cli::OutputFormat::Json) return print_json(json);
+  for (const auto& finding : findings) session.note(finding.message);
+  if (session.options.verbosity == dobra::cli::Verbosity::Quiet) return {};
+  const auto is_line = [](const auto& value) { return value.is_number() || value.is_string(); };
+  std::size_t width = 0;
+  for (const auto& [name, value] : json.items()) width = is_line(value) ? std::max(width, name.size()) : width;
+  std::string text;
+  for (const auto& [name, value] : json.items()) {
+    if (is_line(value)) text += fmt::format("{:<{}} {}\n", name, width + 1, value.dump());
+  }
+  return dobra::cli::print(text);
 }
 
 }  // namespace quebra::cli
