@@ -166,11 +166,8 @@ Figures figures_of(const scenario::Program& program, const scenario::State& stat
   return figures;
 }
 
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
-
-std::string json_text(const Figures& figures, const std::vector<std::string>& remarks, const model::Model& model) {
+nlohmann::ordered_json json_of(const Figures& figures, const std::vector<std::string>& remarks,
+                               const model::Model& model) {
   nlohmann::ordered_json json;
   for (const auto& [name, value, unit] : figures.values) {
     if (is_one(counts, name)) {
@@ -188,7 +185,7 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   json["peak_memory"] = figures.peak_memory;
   if (model.surfaces) json["findings"] = dobra::cli::findings_json(core::findings_of(model), model.units);
   json["remarks"] = remarks;
-  return text_of(json);
+  return json;
 }
 
 std::string table_text(const Figures& figures) {
@@ -206,13 +203,8 @@ Result<void> write_last(const std::string& path, const model::Model& model) {
 }
 
 Result<void> write_out(Session& session, const std::filesystem::path& out, const model::Model& model) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = write_last(staging.path(out.filename().string()).string(), model); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
+  return dobra::cli::write_whole(session, out,
+                                 [&](const std::filesystem::path& path) { return write_last(path.string(), model); });
 }
 
 /// Whether the document is about surfaces in space.
@@ -295,7 +287,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, remarks, model)));
+    DOBRA_TRY_VOID(dobra::cli::print_json(json_of(figures, remarks, model)));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(table_text(figures)));
   }
@@ -303,7 +295,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
 }
 
 /// A refusal of bad surfaces, or of what cannot be meshed of them, as JSON too.
-Result<void> tell_refusal(Session& session, const MeshOptions& options, const Error& error) {
+Result<void> tell_mesh_refusal(Session& session, const MeshOptions& options, const Error& error) {
   const int code = base::exit_code(error.code);
   if (session.options.format != dobra::cli::OutputFormat::Json || (code != 3 && code != 4)) return {};
   const std::filesystem::path& file = options.input.scenario.file;
@@ -319,7 +311,7 @@ Result<void> tell_refusal(Session& session, const MeshOptions& options, const Er
   if (!told) findings.push_back(dobra::cli::finding_of(error));
   nlohmann::ordered_json json;
   json["findings"] = dobra::cli::findings_json(findings, {});
-  return dobra::cli::print(text_of(json));
+  return dobra::cli::print_json(json);
 }
 
 }  // namespace
@@ -360,7 +352,7 @@ Command mesh_command() {
                 ->type_name("FILE.svg|pdf|png");
             return [options](Session& session) -> Result<int> {
               auto done = mesh_job(session, *options);
-              if (!done) DOBRA_TRY_VOID(tell_refusal(session, *options, done.error()));
+              if (!done) DOBRA_TRY_VOID(tell_mesh_refusal(session, *options, done.error()));
               return done;
             };
           }};

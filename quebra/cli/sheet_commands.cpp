@@ -44,45 +44,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Writes a file whole or not at all. @param write  to the path that it is given
-Result<void> write_staged(Session& session, const Path& out,
-                          const std::function<Result<void>(const std::string&)>& write) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = write(staging.path(out.filename().string()).string()); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
-}
-
-Result<void> print_sheet_json(const Json& json) {
-  return dobra::cli::print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-}
-
-/// All of it as JSON, or its numbers as a table and its findings as notes.
-Result<void> tell_sheet(Session& session, const Json& json, const std::vector<surf::mesh::Finding>& findings) {
-  if (session.options.format == dobra::cli::OutputFormat::Json) return print_sheet_json(json);
-  for (const auto& finding : findings) session.note(finding.message);
-  if (session.options.verbosity == dobra::cli::Verbosity::Quiet) return {};
-  std::string text;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number() || value.is_string()) text += fmt::format("{:<20} {}\n", name, value.dump());
-  }
-  return dobra::cli::print(text);
-}
-
-Result<void> tell_sheet_refusal(Session& session, const Error& error) {
-  if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
-  Json json;
-  json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(error)}, {});
-  return print_sheet_json(json);
-}
-
 template <class Work>
 Result<int> with_refusal(Session& session, Work&& work) {
   Result<int> done = work();
-  if (!done) DOBRA_TRY_VOID(tell_sheet_refusal(session, done.error()));
+  if (!done) DOBRA_TRY_VOID(dobra::cli::tell_refusal(session, done.error()));
   return done;
 }
 
@@ -212,10 +177,10 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
   json["seconds"] = watch.seconds();
   json["findings"] = dobra::cli::findings_json(charted->findings, {});
   if (command.out) {
-    DOBRA_TRY_VOID(write_staged(session, *command.out,
-                                [&](const std::string& path) { return write_chart(path, *charted, patch_of); }));
+    DOBRA_TRY_VOID(dobra::cli::write_whole(
+        session, *command.out, [&](const Path& path) { return write_chart(path.string(), *charted, patch_of); }));
   }
-  DOBRA_TRY_VOID(tell_sheet(session, json, charted->findings));
+  DOBRA_TRY_VOID(dobra::cli::tell(session, json, charted->findings));
   return 0;
 }
 
@@ -313,13 +278,13 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
   const double meshed = watch.seconds();
   Json json = figures_of(*made);
   if (command.out) {
-    DOBRA_TRY_VOID(
-        write_staged(session, *command.out, [&](const std::string& path) { return write_remeshed(path, made->mesh); }));
+    DOBRA_TRY_VOID(dobra::cli::write_whole(
+        session, *command.out, [&](const Path& path) { return write_remeshed(path.string(), made->mesh); }));
   }
   json["seconds"] = {
       {"read", read}, {"remesh", meshed - read}, {"write", watch.seconds() - meshed}, {"total", watch.seconds()}};
   json["findings"] = dobra::cli::findings_json(made->findings, {});
-  DOBRA_TRY_VOID(tell_sheet(session, json, made->findings));
+  DOBRA_TRY_VOID(dobra::cli::tell(session, json, made->findings));
   return 0;
 }
 

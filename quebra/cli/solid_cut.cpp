@@ -59,16 +59,6 @@ std::optional<Finding> flaw_of(const scenario::Program& program, const scenario:
                  run.error->place.value_or(base::Place{})};
 }
 
-Result<void> write_text(Session& session, const std::filesystem::path& out, const std::string& text) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = io::write_text(staging.path(out.filename().string()), text); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
-}
-
 }  // namespace
 
 Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& file, const std::string& part,
@@ -131,16 +121,14 @@ Result<CutFigures> cut_bodies(Session& session, const std::vector<Bodies::Body>&
   }
   DOBRA_TRY(const solid::Section section, solid::Sections(solids).cut(plane));
   const solid::Cap cap = solid::cap_of(section);
-  DOBRA_TRY(const Contact contact, solid::contact_with(solids, plane));
+  DOBRA_TRY(const solid::PlaneContact contact, solid::contact_with(solids, plane));
   CutFigures figures;
   figures.frame = cap.frame;
   if (cap.empty()) {
-    findings.push_back(empty_section(contact));
+    findings.push_back(empty_section(contact.most));
     return figures;
   }
-  if (contact == Contact::Face)
-    findings.push_back(
-        {"cut_in_face", "--cut: the plane lies in a face; the section is that of what lies just below the plane", {}});
+  if (contact.in_face) findings.push_back({"cut_in_face", fmt::format("--cut: {}", solids::cut_in_face), {}});
   std::set<std::string> regions;
   for (const solid::CapRegion& region : cap.regions) {
     figures.area += region.area;
@@ -153,7 +141,10 @@ Result<CutFigures> cut_bodies(Session& session, const std::vector<Bodies::Body>&
   const scenario::Document document =
       solids::document_of(solids::sketch_of(cap, materials, materials[0]), plane, cap.frame);
   if (auto flaw = flaw_of(session.program, document, out.value_or(""))) findings.push_back(std::move(*flaw));
-  if (out) DOBRA_TRY_VOID(write_text(session, *out, scenario::document_text(document)));
+  if (out)
+    DOBRA_TRY_VOID(dobra::cli::write_whole(session, *out, [&](const std::filesystem::path& path) {
+      return io::write_text(path, scenario::document_text(document));
+    }));
   return figures;
 }
 

@@ -73,10 +73,8 @@ NextModel cut_to_domain(const model::Model& model, const CutParams& params, cons
   DOBRA_TRY(const solid::Section section, solid::Sections(solids).cut(plane));
   DOBRA_TRY_VOID(progress.check());
   const solid::Cap cap = solid::cap_of(section);
-  if (cap.empty()) {
-    DOBRA_TRY(const solid::Contact contact, solid::contact_with(solids, plane));
-    return missed(contact);
-  }
+  DOBRA_TRY(const solid::PlaneContact contact, solid::contact_with(solids, plane));
+  if (cap.empty()) return missed(contact.most);
   sketch::Sketch sketch = sketch_of(cap, materials, parts[0]->name);
   std::set<std::string> names;
   for (const sketch::Curve& curve : sketch.curves) names.insert(curve.name);
@@ -96,9 +94,8 @@ NextModel cut_to_domain(const model::Model& model, const CutParams& params, cons
   const double unit = context.units.to_si(1.0, "m");
   DOBRA_TRY(next.domain, domain::make_domain(std::move(sketch), {}));
   next.domain.unit = unit;
-  double area = 0.0;
-  for (const solid::CapRegion& region : cap.regions) area += region.area;
   next.remarks.push_back(fmt::format("the section has {} pieces and {} curves", cap.regions.size(), cap.lines.size()));
+  if (contact.in_face) next.remarks.push_back(cut_in_face);
   return next;
 }
 

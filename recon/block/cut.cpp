@@ -352,19 +352,23 @@ base::Result<BlockCut> cut(const Block& block, const CutFrame& frame) {
     made.findings.push_back(beside_finding());
     return made;
   }
-  DOBRA_TRY(dobra::solid::Section section, block.sections->cut(frame.plane));
+  DOBRA_TRY(const dobra::solid::Section section, block.sections->cut(frame.plane));
   dobra::solid::Cap cap = cap_of(section);
-  if (cap.empty()) {
-    std::vector<dobra::solid::Solid> solids;
-    for (const BlockUnit& unit : block.units) solids.push_back(unit.solid);
-    DOBRA_TRY(made.contact, contact_with(solids, frame.plane));
-    if (made.contact == Contact::Face) {  // the block may lie on the other side
-      made.frame.plane = turned_over(frame.plane);
-      DOBRA_TRY(section, block.sections->cut(made.frame.plane));
-      cap = cap_of(section);
+  std::vector<dobra::solid::Solid> solids;
+  for (const BlockUnit& unit : block.units) solids.push_back(unit.solid);
+  DOBRA_TRY(const dobra::solid::PlaneContact contact, contact_with(solids, frame.plane));
+  made.contact = cap.empty() ? contact.most : Contact::Volume;
+  if (contact.in_face) {
+    const CutPlane over = turned_over(frame.plane);
+    DOBRA_TRY(dobra::solid::Section other, block.sections->cut(over));
+    dobra::solid::Cap other_cap = cap_of(other);
+    if (cap.empty()) {  // the block lies on the other side
+      made.frame.plane = over;
+      cap = std::move(other_cap);
+    } else if (!other_cap.empty()) {
+      made.findings.push_back(
+          {"cut_in_face", "a face of the block lies in the plane; the section has the units on one side of it", {}});
     }
-  } else {
-    made.contact = Contact::Volume;
   }
   if (cap.empty()) {
     made.findings.push_back(empty_finding(made.contact));

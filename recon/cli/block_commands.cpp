@@ -36,19 +36,11 @@ struct BlockOptions {
   std::optional<std::filesystem::path> out;
 };
 
-Result<void> print_json(const ordered_json& json) {
-  return dobra::cli::print(json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
-}
-
 bool as_json(const Session& session) { return session.options.format == dobra::cli::OutputFormat::Json; }
 
 /// A refusal as JSON too.
 Result<int> with_findings(Session& session, Result<int> done) {
-  if (!done && as_json(session) && done.error().code != ErrorCode::Cancelled) {
-    ordered_json json;
-    json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(done.error())}, {});
-    DOBRA_TRY_VOID(print_json(json));
-  }
+  if (!done) DOBRA_TRY_VOID(dobra::cli::tell_refusal(session, done.error()));
   return done;
 }
 
@@ -76,21 +68,9 @@ ordered_json json_of(const block::Block& block) {
   return json;
 }
 
-/// Writes a file by a function that is given its path.
-template <class Write>
-Result<void> write_aside(Session& session, const std::filesystem::path& out, Write&& write) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const Result<void> written = write(staging.path(out.filename().string())); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
-}
-
 Result<void> write_block(Session& session, const block::Block& block, const std::filesystem::path& out) {
   DOBRA_TRY(const block::BlockMesh mesh, mesh_of(block, dobra::io::formats::most_corners(out.string())));
-  return write_aside(session, out, [&](const std::filesystem::path& path) {
+  return dobra::cli::write_whole(session, out, [&](const std::filesystem::path& path) {
     return dobra::io::formats::write_boundary(path.string(), mesh.mesh, mesh.groups);
   });
 }
@@ -118,7 +98,7 @@ Result<int> block_job(Session& session, const BlockOptions& options) {
     ordered_json json = json_of(block);
     json["seconds"] = {{"block", made}, {"write", seconds_since(start) - made}};
     json["findings"] = dobra::cli::findings_json(block.findings, {});
-    DOBRA_TRY_VOID(print_json(json));
+    DOBRA_TRY_VOID(dobra::cli::print_json(json));
     return 0;
   }
   for (const Finding& finding : block.findings) session.note(finding.message);
@@ -178,7 +158,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
     if (options.out) take_colours(original, folder, options.out->parent_path(), section);
     if (auto flaw = flaw_of(session, section, options.out.value_or(""))) made.findings.push_back(std::move(*flaw));
     if (options.out) {
-      DOBRA_TRY_VOID(write_aside(session, *options.out, [&](const std::filesystem::path& path) {
+      DOBRA_TRY_VOID(dobra::cli::write_whole(session, *options.out, [&](const std::filesystem::path& path) {
         return scenario::write_document(section, path);
       }));
     }
@@ -189,7 +169,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
     ordered_json json = json_of(made);
     json["trace"] = trace;
     json["findings"] = dobra::cli::findings_json(findings, {});
-    DOBRA_TRY_VOID(print_json(json));
+    DOBRA_TRY_VOID(dobra::cli::print_json(json));
     return 0;
   }
   for (const Finding& finding : findings) session.note(finding.message);

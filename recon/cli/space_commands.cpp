@@ -13,6 +13,7 @@
 #include "recon/core/space_steps.h"
 #include "recon/space/surface_file.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/staging.h"
 
 namespace recon::cli {
@@ -41,9 +42,8 @@ void add_space(CLI::App& app, SpaceOptions& options) {
 bool as_json(const Session& session) { return session.options.format == dobra::cli::OutputFormat::Json; }
 
 /// With JSON a refusal is printed as a finding too.
-Result<int> with_refusal(const Session& session, Result<int> done) {
-  if (!done && as_json(session) && done.error().code != base::ErrorCode::Cancelled)
-    DOBRA_TRY_VOID(dobra::cli::print(refusal_json(done.error())));
+Result<int> with_refusal(Session& session, Result<int> done) {
+  if (!done) DOBRA_TRY_VOID(dobra::cli::tell_refusal(session, done.error()));
   return done;
 }
 
@@ -70,15 +70,12 @@ Result<int> surface_job(Session& session, const SpaceOptions& options) {
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const auto& model = scenario::model_of<model::Model>(run.states.back());
   if (options.out) {
-    DOBRA_TRY(dobra::cli::Staging staging,
-              dobra::cli::Staging::open(options.out->parent_path(), dobra::cli::TargetFolder::MustExist));
-    const auto path = staging.path(options.out->filename().string());
-    if (const auto written = space::write_surfaces(path.string(), *model.findings.get<space::MadeSurfaces>()); !written)
-      return staging.for_user(written.error());
-    DOBRA_TRY_VOID(session.check());
-    DOBRA_TRY_VOID(staging.commit());
+    DOBRA_TRY_VOID(dobra::cli::write_whole(session, *options.out, [&](const std::filesystem::path& path) {
+      return space::write_surfaces(path.string(), *model.findings.get<space::MadeSurfaces>());
+    }));
   }
-  DOBRA_TRY_VOID(dobra::cli::print(as_json(session) ? surfaces_json(model) : surfaces_table(model)));
+  DOBRA_TRY_VOID(as_json(session) ? dobra::cli::print_json(surfaces_json(model))
+                                  : dobra::cli::print(surfaces_table(model)));
   return 0;
 }
 
@@ -96,7 +93,7 @@ Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
       document.title.empty() ? std::filesystem::path(options.file).stem().string() : document.title;
   const scenario::Document section = core::document_of(cut, fmt::format("{}, cut", from));
   DOBRA_TRY_VOID(write_out(session, options.out, section, run.states.back(), cut.section));
-  DOBRA_TRY_VOID(dobra::cli::print(as_json(session) ? cut_json(model) : cut_table(model)));
+  DOBRA_TRY_VOID(as_json(session) ? dobra::cli::print_json(cut_json(model)) : dobra::cli::print(cut_table(model)));
   return 0;
 }
 

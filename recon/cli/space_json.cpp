@@ -14,13 +14,9 @@ namespace {
 using SpaceJson = nlohmann::ordered_json;
 namespace loft = dobra::surf::loft;
 
-std::string dumped(const SpaceJson& json) {
-  return json.dump(2, ' ', false, SpaceJson::error_handler_t::replace) + '\n';
-}
-
 }  // namespace
 
-std::string surfaces_json(const model::Model& model) {
+SpaceJson surfaces_json(const model::Model& model) {
   const auto& made = *model.findings.get<space::MadeSurfaces>();
   SpaceJson json;
   SpaceJson surfaces = SpaceJson::array(), volumes = SpaceJson::array();
@@ -48,7 +44,7 @@ std::string surfaces_json(const model::Model& model) {
   json["surfaces"] = std::move(surfaces);
   json["volumes"] = std::move(volumes);
   json["findings"] = dobra::cli::findings_json(made.made.findings, {});
-  return dumped(json);
+  return json;
 }
 
 std::string surfaces_table(const model::Model& model) {
@@ -63,7 +59,7 @@ std::string surfaces_table(const model::Model& model) {
   return text;
 }
 
-std::string cut_json(const model::Model& model) {
+SpaceJson cut_json(const model::Model& model) {
   const auto& cut = *model.findings.get<space::CutSection>();
   SpaceJson json;
   json["length"] = cut.trace.length();
@@ -83,7 +79,7 @@ std::string cut_json(const model::Model& model) {
   for (const section::SectionLine& l : cut.section.lines) add(l.name, l.piece_of, kind_name(l.kind), l.line);
   json["lines"] = std::move(lines);
   json["findings"] = dobra::cli::findings_json(cut.findings, {});
-  return dumped(json);
+  return json;
 }
 
 std::string cut_table(const model::Model& model) {
@@ -95,13 +91,6 @@ std::string cut_table(const model::Model& model) {
   for (const section::SectionLine& l : cut.section.lines)
     text += fmt::format("{:<7} {:<20} {} points\n", kind_name(l.kind), l.name, l.line.points.size());
   return text;
-}
-
-std::string refusal_json(const base::Error& error) {
-  SpaceJson json;
-  json["surfaces"] = SpaceJson::array();
-  json["findings"] = dobra::cli::findings_json({dobra::cli::finding_of(error)}, {});
-  return dumped(json);
 }
 
 }  // namespace recon::cli

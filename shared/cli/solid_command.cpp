@@ -276,13 +276,8 @@ Result<void> write_out(Session& session, const Path& out, Outcome& outcome) {
         {"written_flawed", fmt::format("by that rounding the file no longer bounds a solid: {}", faces.flaw->message),
          base::located(*faces.flaw, in_file(out.string())).place.value_or(base::Place{})});
   }
-  DOBRA_TRY(Staging staging, Staging::open(out.parent_path(), TargetFolder::MustExist));
-  const std::string staged = staging.path(out.filename().string()).string();
-  if (const auto written = io::formats::write_boundary(staged, faces.mesh); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
+  return write_whole(session, out,
+                     [&](const Path& path) { return io::formats::write_boundary(path.string(), faces.mesh); });
 }
 
 /// Every body in cells of one cube: volumes with bounds, and pairs that may overlap.
@@ -347,22 +342,6 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   return json;
 }
 
-Result<void> print_json(const nlohmann::ordered_json& json) {
-  return print(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-}
-
-Result<void> tell(Session& session, const Outcome& outcome) {
-  const nlohmann::ordered_json json = json_of(outcome);
-  if (session.options.format == OutputFormat::Json) return print_json(json);
-  for (const Finding& finding : outcome.findings) session.note(finding.message);
-  if (session.options.verbosity == Verbosity::Quiet) return {};
-  std::string text;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number()) text += fmt::format("{:<9} {}\n", name, value.dump());
-  }
-  return print(text);
-}
-
 /// What can be said before anything is read.
 Result<void> check_options(const SolidOptions& options, const std::vector<Step>& steps) {
   if (options.extras.cut) {
@@ -413,16 +392,8 @@ Result<int> solid_job(Session& session, const SolidCommand& program, const Solid
   } else if (options.out) {
     DOBRA_TRY_VOID(timed(outcome.seconds.write, [&] { return write_out(session, *options.out, outcome); }));
   }
-  DOBRA_TRY_VOID(tell(session, outcome));
+  DOBRA_TRY_VOID(tell(session, json_of(outcome), outcome.findings));
   return 0;
-}
-
-/// A refusal as JSON too.
-Result<void> tell_refusal(Session& session, const Error& error) {
-  if (session.options.format != OutputFormat::Json || error.code == ErrorCode::Cancelled) return {};
-  nlohmann::ordered_json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
-  return print_json(json);
 }
 
 void add_options(CLI::App& app, const SolidCommand& program, SolidOptions& options) {

@@ -182,9 +182,9 @@ struct Seen {
 
 Cap cap_of(const Section& section, const CapOptions& options) { return CapMaker(section, options).make(); }
 
-base::Result<Contact> contact_with(std::span<const Solid> solids, const CutPlane& plane) {
+base::Result<PlaneContact> contact_with(std::span<const Solid> solids, const CutPlane& plane) {
   DOBRA_TRY_VOID(frame_of(plane));
-  Contact most = Contact::Nothing;
+  PlaneContact contact;
   for (const Solid& solid : solids) {
     const Soup& all = solid.boundary().soup;
     std::vector<Seen> shells(solid.shell_count());
@@ -203,11 +203,14 @@ base::Result<Contact> contact_with(std::span<const Solid> solids, const CutPlane
         if (here != Sign::Zero) return;
         seen.most = std::max(seen.most, side[all.corners[j].index()] == Sign::Zero ? Contact::Edge : Contact::Vertex);
       });
-      if (whole) seen.most = Contact::Face;
+      if (!whole) continue;
+      seen.most = Contact::Face;
+      contact.in_face = true;
     }
-    for (const Seen& seen : shells) most = std::max(most, seen.below && seen.above ? Contact::Volume : seen.most);
+    for (const Seen& seen : shells)
+      contact.most = std::max(contact.most, seen.below && seen.above ? Contact::Volume : seen.most);
   }
-  return most;
+  return contact;
 }
 
 }  // namespace dobra::solid

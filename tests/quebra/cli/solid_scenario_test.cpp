@@ -117,6 +117,21 @@ TEST_F(SolidScenario, APlaneThatMissesOrTouchesGivesNothingAndSaysSo) {
   EXPECT_EQ(told({file, "--cut", "0,0,1,-1"})["findings"][0]["code"], "cut_in_face");
 }
 
+TEST_F(SolidScenario, AFaceInThePlaneIsToldByTheOptionAndByTheStep) {
+  const std::string stairs = solids_head + block("low", "[0,0,0]", "[1,1,1]") + block("high", "[1,0,0]", "[1,1,2]") +
+                             step("unite", "all", "of = [\"low\", \"high\"]");
+  const std::string file = put("stairs.toml", stairs);
+  EXPECT_EQ(told({file, "--cut", "0,0,1,-1"})["findings"][0]["code"], "cut_in_face");
+  EXPECT_EQ(told({file, "--cut", "0,0,1,-1.5"})["findings"].size(), 0U);
+  for (const auto& [plane, in_face] : std::vector<std::pair<std::string, bool>>{{"-1", true}, {"-1.5", false}}) {
+    const std::string cut = put("cut.toml", stairs + "[[step]]\noperation = \"cut\"\nplane = [0, 0, 1, " + plane +
+                                                "]\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n");
+    const auto outcome = call({"mesh", cut});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("the plane lies in a face") != std::string::npos, in_face) << outcome.err;
+  }
+}
+
 TEST_F(SolidScenario, ASectionIsADomainThatIsMeshed) {
   // Two arms, one of which a bore passes, in two materials.
   const std::string text =

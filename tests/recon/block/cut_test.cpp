@@ -201,6 +201,20 @@ TEST(BlockCut, APlaneThatMissesOrTouchesGivesNothingAndSaysSo) {
   EXPECT_FALSE(cut_over(block, {1, 1}, {1, std::nan("")}));
 }
 
+TEST(BlockCut, APlaneAlongAnUprightFaultTellsThatItTakesOneSide) {
+  section::Section section;
+  section.horizons = {horizon("top", {{0, 0}, {100, 0}}), horizon("base", {{0, -40}, {100, -40}})};
+  section.units.push_back(unit("left", {{0, -40}, {50, -40}, {50, 0}, {0, 0}}));
+  section.units.push_back(unit("right", {{50, -40}, {100, -40}, {100, 0}, {50, 0}}));
+  const Block block = test::block(test::made(section), 10.0);
+  const BlockCut along = cut_along(block, {50, 0}, {50, 10});
+  EXPECT_TRUE(told(along.findings, "cut_in_face"));
+  EXPECT_NEAR(along.area, 400.0, 1e-9);
+  EXPECT_FALSE(told(cut_along(block, {49, 0}, {49, 10}).findings, "cut_in_face"));
+  EXPECT_FALSE(told(cut_along(block, {0, 0}, {100, 0}).findings, "cut_in_face"));  // an end of the block
+  EXPECT_FALSE(told(cut_along(block, {100, 0}, {0, 0}).findings, "cut_in_face"));
+}
+
 TEST(BlockCut, WhatLeavesTheBlockEndsAtItsEnd) {
   const Block block = test::block(test::layers(), 40.0);
   const BlockCut cut = cut_along(block, {20, 0}, {60, 40});  // 45 degrees, from start to end

@@ -109,7 +109,7 @@ TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
   const auto outcome = call({"surface", file, "--json", "--mistie-tolerance", "5"});
   EXPECT_EQ(outcome.code, 3) << outcome.err;
   const SpaceOut refused = SpaceOut::parse(outcome.out);
-  EXPECT_EQ(refused["surfaces"].size(), 0U);
+  EXPECT_FALSE(refused.contains("surfaces"));
   ASSERT_EQ(refused["findings"].size(), 1U);
   EXPECT_NEAR(refused["findings"][0]["place"]["point"][0], 100.0, 1e-9);
   EXPECT_NE(outcome.err.find("13 m apart where 'long' and 'across' cross"), std::string::npos) << outcome.err;
