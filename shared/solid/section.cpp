@@ -1,8 +1,12 @@
 #include "shared/solid/section.h"
 
 #include <algorithm>
+#include <tuple>
+#include <unordered_map>
 
+#include "shared/base/parallel.h"
 #include "shared/solid/contacts.h"
+#include "shared/solid/plane_crossing.h"
 #include "shared/topo/insert.h"
 
 namespace dobra::solid {
@@ -250,14 +254,72 @@ struct Sections::Line {
   const std::string* name;
 };
 
+namespace {
+
+/// What most facets are: a triangle with corners in doubles, none of them in the plane.
+enum class Triangle : std::uint8_t { Missed, Cut, Unclear };
+
+/// The line runs from where the border goes down through the plane to where it comes up.
+Triangle cut_triangle(const Soup& all, const Facet& facet, const Space& space, PlaneId cut, const CutPlane& plane,
+                      std::array<Point3, 2>& ends) {
+  if (facet.corner_end - facet.first_corner != 3) return Triangle::Unclear;
+  std::array<Point3, 3> corner;
+  std::array<Sign, 3> side{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const PointId p = all.corners[facet.first_corner + i];
+    if (!all.space.is_exact(p)) return Triangle::Unclear;
+    corner[i] = all.space.rounded(p);
+    side[i] = space.side(cut, corner[i]);
+    if (side[i] == Sign::Zero) return Triangle::Unclear;
+  }
+  if (side[0] == side[1] && side[1] == side[2]) return Triangle::Missed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (side[i] == side[j]) continue;
+    const auto at = crossing_in_doubles(plane, corner[i], corner[j]);
+    if (!at) return Triangle::Unclear;
+    ends[side[i] == Sign::Positive ? 0 : 1] = *at;
+  }
+  return Triangle::Cut;
+}
+
+/// Segments, each once whatever way it runs.
+class OnceOnly {
+ public:
+  /// Its index in all().
+  std::size_t add(geom::Point from, geom::Point to) {
+    Key key{from.x, from.y, to.x, to.y};
+    if (std::tie(to.x, to.y) < std::tie(from.x, from.y)) key = {to.x, to.y, from.x, from.y};
+    const auto [at, fresh] = numbers_.try_emplace(key, curves_.size());
+    if (fresh) curves_.push_back({{from, to}, false});
+    return at->second;
+  }
+  [[nodiscard]] const std::vector<geom::Polyline>& all() const { return curves_; }
+
+ private:
+  using Key = std::array<double, 4>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::size_t hash = 0;
+      for (const double value : key) hash = (hash ^ std::hash<double>()(value)) * 0x9e3779b97f4a7c15U;
+      return hash;
+    }
+  };
+  std::unordered_map<Key, std::size_t, Hash> numbers_;
+  std::vector<geom::Polyline> curves_;
+};
+
+}  // namespace
+
 Sections::Sections(std::span<const Solid> solids) : solids_(solids.begin(), solids.end()) {
   for (const Solid& s : solids_) {
     trees_.emplace_back(s.boundary().soup, 0, static_cast<std::uint32_t>(s.face_count()));
   }
 }
 
-void Sections::collect(std::uint32_t solid, const CutPlane& plane, const SectionFrame& frame,
-                       std::vector<Line>& lines) const {
+std::vector<Sections::Line> Sections::collect(std::uint32_t solid, const CutPlane& plane,
+                                              const SectionFrame& frame) const {
+  std::vector<Line> lines;
   const Soup& all = solids_[solid].boundary().soup;
   Soup soup;  // of one facet at a time, in a space that the cut's points do not outlive
   const PlaneId cut = soup.space.add(as_plane(plane));
@@ -269,6 +331,15 @@ void Sections::collect(std::uint32_t solid, const CutPlane& plane, const Section
   std::vector<Stop> stops;
   for (const std::uint32_t f : found) {
     const Facet& facet = all.facets[f];
+    const auto add = [&](Point3 first, Point3 last) {
+      const geom::Point from = frame.in_plane(first);
+      const geom::Point to = frame.in_plane(last);
+      if (from != to) lines.push_back({from, to, solid, &solids_[solid].name(FaceId(f))});
+    };
+    std::array<Point3, 2> ends;
+    const Triangle triangle = cut_triangle(all, facet, soup.space, cut, plane, ends);
+    if (triangle == Triangle::Cut) add(ends[0], ends[1]);
+    if (triangle != Triangle::Unclear) continue;
     signs.clear();
     soup.begin(soup.space.add(all.space.plane(facet.plane)), 0, 0);
     for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
@@ -286,32 +357,40 @@ void Sections::collect(std::uint32_t solid, const CutPlane& plane, const Section
     stops_along(soup, static_cast<std::uint32_t>(soup.facets.size() - 1), cut, signs, axis, stops);
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       if (!stops[i].below) continue;
-      const geom::Point from = frame.in_plane(soup.space.rounded(stops[i].point));
-      const geom::Point to = frame.in_plane(soup.space.rounded(stops[i + 1].point));
-      if (from == to) continue;
-      const std::string* name = &solids_[solid].name(FaceId(f));
-      lines.push_back(forwards ? Line{from, to, solid, name} : Line{to, from, solid, name});
+      const Point3 first = soup.space.rounded(stops[i].point);
+      const Point3 last = soup.space.rounded(stops[i + 1].point);
+      forwards ? add(first, last) : add(last, first);
     }
   }
+  return lines;
 }
 
 base::Result<Section> Sections::cut(const CutPlane& plane) const {
   Section out;
   DOBRA_TRY(out.frame, frame_of(plane));
-  std::vector<Line> lines;
-  for (std::uint32_t s = 0; s < solids_.size(); ++s) collect(s, plane, out.frame, lines);
-  std::vector<geom::Polyline> curves;
-  for (const Line& line : lines) curves.push_back({{line.from, line.to}, false});
-  DOBRA_TRY(const auto paths, topo::insert(out.plane, curves));
+  const auto of_solid = base::parallel_map<std::vector<Line>>(
+      solids_.size(), [&](std::size_t s) { return collect(static_cast<std::uint32_t>(s), plane, out.frame); });
+  // Where two solids meet, each line is there twice.
+  OnceOnly curves;
+  std::vector<std::size_t> curve_of;
+  for (const auto& lines : of_solid) {
+    for (const Line& line : lines) curve_of.push_back(curves.add(line.from, line.to));
+  }
+  DOBRA_TRY(const auto paths, topo::insert(out.plane, curves.all()));
   Areas areas(out.plane, solids_.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const topo::HalfEdgeId h : paths[i]) {
-      areas.pass(h, lines[i].solid);
-      std::any& attribute = out.plane.attribute(topo::Subdivision::edge(h));
-      if (!attribute.has_value()) attribute = SectionLine{};
-      auto& names = std::any_cast<SectionLine&>(attribute).names;
-      const auto at = std::lower_bound(names.begin(), names.end(), *lines[i].name);
-      if (at == names.end() || *at != *lines[i].name) names.insert(at, *lines[i].name);
+  auto curve = curve_of.begin();
+  for (const auto& lines : of_solid) {
+    for (const Line& line : lines) {
+      const std::size_t c = *curve++;
+      const bool along = curves.all()[c].points[0] == line.from;
+      for (const topo::HalfEdgeId h : paths[c]) {
+        areas.pass(along ? h : topo::Subdivision::twin(h), line.solid);
+        std::any& attribute = out.plane.attribute(topo::Subdivision::edge(h));
+        if (!attribute.has_value()) attribute = SectionLine{};
+        auto& names = std::any_cast<SectionLine&>(attribute).names;
+        const auto at = std::lower_bound(names.begin(), names.end(), *line.name);
+        if (at == names.end() || *at != *line.name) names.insert(at, *line.name);
+      }
     }
   }
   areas.finish();

@@ -58,7 +58,7 @@ class Sections {
 
  private:
   struct Line;
-  void collect(std::uint32_t solid, const CutPlane& plane, const SectionFrame& frame, std::vector<Line>& lines) const;
+  [[nodiscard]] std::vector<Line> collect(std::uint32_t solid, const CutPlane& plane, const SectionFrame& frame) const;
 
   std::vector<Solid> solids_;
   std::vector<BoxTree> trees_;

@@ -1,15 +1,24 @@
 // Speed of solids, one thread: two spheres of n triangles each that overlap (the second turned, so that nothing
 // coincides), read (from_mesh) and combined by union, intersection and difference; a union of m boxes of which each
-// overlaps its neighbour; Menger sponges. Counters: ns_face per triangle that went in, exponent of the time in n since
-// the size before. Figures belong in docs/algorithms/boolean.md.
+// overlaps its neighbour; Menger sponges; points that are located in a sphere; plane sections of a sphere and of a
+// block of units through many sections; where CGAL is installed, the union of the spheres by its Nef polyhedra beside
+// ours (counters nef_ms, ratio). Counters: ns_face per triangle that went in, exponent of the time in n since the size
+// before. Figures belong in docs/algorithms/boolean.md.
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <ctime>
 #include <map>
 
+#include "shared/solid/cap.h"
+#include "shared/solid/section.h"
+#include "shared/solid/shape/loft.h"
 #include "tests/shared/solid/shapes.h"
+#ifdef DOBRA_CGAL
+#include "tests/bench/solid_peers.h"
+#endif
 
 namespace {
 
@@ -69,11 +78,104 @@ void boxes(benchmark::State& state) {
 }
 
 void menger(benchmark::State& state) {
-  const std::vector<Solid> operands = shapes::menger_operands(static_cast<int>(state.range(0)));
+  const int depth = static_cast<int>(state.range(0));
+  const std::vector<Solid> operands = shapes::menger_operands(depth, depth < 4 ? 27.0 : 81.0);
   timed(state, "menger", 6.0 * static_cast<double>(operands.size()),
         [&] { benchmark::DoNotOptimize(combine(operands, Operation::Difference).value()); });
 }
 
+constexpr int located = 1000;
+
+/// A thousand points; ns_face is per point.
+void locate(benchmark::State& state) {
+  const PointLocator locator(shapes::solid(ball(static_cast<std::size_t>(state.range(0)), 0.0)));
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> real(-1.1, 1.1);
+  std::vector<geom::Point3> points;
+  for (int i = 0; i < located; ++i) points.push_back({real(random), real(random), real(random)});
+  const double size = static_cast<double>(state.range(0));
+  timed(state, "locate", size, [&] {
+    for (const geom::Point3 p : points) benchmark::DoNotOptimize(locator.locate(p));
+  });
+}
+
+void cut_sphere(benchmark::State& state) {
+  const std::vector<Solid> solids{shapes::solid(ball(static_cast<std::size_t>(state.range(0)), 0.0))};
+  const Sections sections(solids);
+  timed(state, "cut_sphere", static_cast<double>(state.range(0)), [&] {
+    benchmark::DoNotOptimize(sections.cut({1.0, 0.3, 0.2, 0.1}).value());
+  });
+}
+
+/// Units that lie on each other, folded differently in each section, 20 points a horizon.
+std::vector<Solid> block_of(int units, int sections) {
+  const auto height = [&](int horizon, double x, int section) {
+    return 10.0 * horizon + 3.0 * std::sin(0.02 * x + 0.1 * section) + 0.001 * horizon * std::cos(0.05 * x);
+  };
+  std::vector<shape::LoftSection> all;
+  for (int s = 0; s < sections; ++s) {
+    shape::LoftSection section{{{0.0, 100.0 * s, 0.0}, {1, 0, 0}, {0, 0, 1}}, {}};
+    const auto unit = [&](int i) { return i < 0 || i >= units ? std::string() : fmt::format("unit {}", i); };
+    for (int h = 0; h <= units; ++h) {
+      geom::Polyline line;
+      for (int i = 0; i <= 20; ++i) line.points.push_back({50.0 * i, height(h, 50.0 * i, s)});
+      section.lines.push_back({std::move(line), fmt::format("horizon {}", h), unit(h), unit(h - 1)});
+      if (h == units) continue;
+      for (const double x : {0.0, 1000.0}) {
+        section.lines.push_back({{{{x, height(h, x, s)}, {x, height(h + 1, x, s)}}, false},
+                                 x == 0.0 ? "west" : "east",
+                                 x == 0.0 ? std::string() : unit(h),
+                                 x == 0.0 ? unit(h) : std::string()});
+      }
+    }
+    all.push_back(std::move(section));
+  }
+  std::vector<Solid> solids;
+  const auto parts = shape::loft_sections(all).value();
+  for (const shape::LoftPart& part : parts) solids.push_back(shape::solid_of(part.shape).value());
+  return solids;
+}
+
+/// A plane that is dragged over a block: at a slant to the sections, and along them.
+void cut_block(benchmark::State& state) {
+  const std::vector<Solid> solids = block_of(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const Sections sections(solids);
+  double faces = 0.0;
+  for (const Solid& solid : solids) faces += static_cast<double>(solid.face_count());
+  state.counters["faces"] = faces;
+  double shift = 0.0;
+  for (auto _ : state) {
+    shift += 1.0;
+    const auto cut = sections.cut({state.range(2) == 0 ? 0.5 : 0.0, 1.0, 0.0, -1000.0 - shift}).value();
+    state.counters["lines"] = static_cast<double>(cut.plane.edge_count());
+    const Cap cap = cap_of(cut);
+    state.counters["regions"] = static_cast<double>(cap.regions.size());
+  }
+}
+
+#ifdef DOBRA_CGAL
+void nef(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const mesh::PolygonMesh a = ball(n, 0.0);
+  const mesh::PolygonMesh b = ball(n, 0.7);
+  const std::vector<Solid> operands{shapes::solid(a), shapes::solid(b)};
+  for (auto _ : state) {
+    const double begin = process_seconds();
+    const Solid ours = combine(operands, Operation::Union).value().solid;
+    const double spent = process_seconds() - begin;
+    state.SetIterationTime(spent);
+    const bench::NefUnion theirs = bench::cgal_nef_union(a, b);
+    if (theirs.vertices != ours.counts().vertices) state.SkipWithError("the two unions differ");
+    state.counters["nef_ms"] = 1e3 * theirs.seconds;
+    state.counters["ratio"] = theirs.seconds / spent;
+  }
+}
+BENCHMARK(nef)->Arg(200)->Arg(1000)->Arg(5000)->UseManualTime()->Unit(benchmark::kMillisecond);
+#endif
+
+BENCHMARK(locate)->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(cut_sphere)->Arg(10000)->Arg(100000)->Arg(1000000)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(cut_block)->Args({200, 100, 0})->Args({200, 100, 1})->Unit(benchmark::kMillisecond);
 BENCHMARK(read)->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spheres, unite, Operation::Union, "unite")
     ->Arg(1000)
@@ -91,7 +193,7 @@ BENCHMARK_CAPTURE(spheres, subtract, Operation::Difference, "subtract")
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(boxes)->Arg(10)->Arg(100)->Arg(1000)->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(menger)->Arg(1)->Arg(2)->Arg(3)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(menger)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 // Meshes of simple solids for the tests, and what several tests say of solids.
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -136,13 +137,14 @@ inline Solid unite(const std::vector<Solid>& operands) { return combined(operand
 inline Solid common(const std::vector<Solid>& operands) { return combined(operands, Operation::Intersection).solid; }
 inline Solid subtract(const std::vector<Solid>& operands) { return combined(operands, Operation::Difference).solid; }
 
-/// The cube of side 27 and the square bars that are to be taken from it, so that a Menger sponge of depth n remains.
-inline std::vector<Solid> menger_operands(int depth) {
-  std::vector<Solid> operands{box_solid({0, 0, 0}, {27, 27, 27})};
-  double cell = 27.0;
+/// A cube and the square bars that are to be taken from it, so that a Menger sponge of that depth remains.
+/// @pre 3^depth divides the side, so that all is exact.
+inline std::vector<Solid> menger_operands(int depth, double side = 27.0) {
+  std::vector<Solid> operands{box_solid({0, 0, 0}, {side, side, side})};
+  double cell = side;
   for (int level = 0; level < depth; ++level) {
     const double width = cell / 3.0;
-    const int count = static_cast<int>(std::lround(27.0 / cell));
+    const int count = static_cast<int>(std::lround(side / cell));
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j) {
         // Bars that lie in a wider one are left out.
@@ -151,14 +153,20 @@ inline std::vector<Solid> menger_operands(int depth) {
         if (covered) continue;
         const double u = i * cell + width;
         const double v = j * cell + width;
-        operands.push_back(box_solid({-1, u, v}, {28, u + width, v + width}));
-        operands.push_back(box_solid({u, -1, v}, {u + width, 28, v + width}));
-        operands.push_back(box_solid({u, v, -1}, {u + width, v + width, 28}));
+        operands.push_back(box_solid({-1, u, v}, {side + 1, u + width, v + width}));
+        operands.push_back(box_solid({u, -1, v}, {u + width, side + 1, v + width}));
+        operands.push_back(box_solid({u, v, -1}, {u + width, v + width, side + 1}));
       }
     }
     cell = width;
   }
   return operands;
+}
+
+/// What DOBRA_SOLID_CASES asks for; 0 where nothing does.
+inline int cases_asked() {
+  const char* const wanted = std::getenv("DOBRA_SOLID_CASES");
+  return wanted != nullptr ? std::atoi(wanted) : 0;
 }
 
 /// The relation of Euler and Poincare, written once more.
