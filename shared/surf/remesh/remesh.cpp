@@ -81,6 +81,25 @@ double mean_side(const Sheet& sheet) {
   return sum / static_cast<double>(sheet.twins.size());
 }
 
+double area_of(const Sheet& sheet) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : sheet.triangles)
+    sum += 0.5 * geom::length(cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]));
+  return sum;
+}
+
+/// Nothing could be filled between them.
+bool lies_in_a_line(std::span<const Point> points) {
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    for (std::size_t k = 1; k < i; ++k) {
+      if (points[k] == points[0]) continue;
+      if (geom::orient2d(points[0], points[k], points[i]) != geom::Sign::Zero) return false;
+      break;
+    }
+  }
+  return true;
+}
+
 /// One sheet at work.
 class Remesher {
  public:
@@ -97,27 +116,26 @@ class Remesher {
     DOBRA_TRY(Surface guide, guide_of(0));
     Remeshed made;
     double crease = options_.crease;
+    Point3 worst;
     if (turns_over(guide)) guide = pieces, guide_ = 1;
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
       const base::Progress part = progress.part(from, from + 1.0 / (options_.rounds + 1));
       auto mesh = fill(guide, pieces, crease, made, part);
-      while (!mesh && mesh.error().code != ErrorCode::Cancelled &&
+      while (!mesh && mesh.error().code != ErrorCode::Cancelled && mesh.error().code != ErrorCode::InvalidOption &&
              change_guide(guide, pieces, crease, made, mesh.error()))
         mesh = fill(guide, pieces, crease, made, part);
       if (!mesh) return in_space(mesh.error());
       made.mesh = std::move(*mesh);
       made.rounds = round + 1;
-      Point3 worst;
       const bool finer = judge(made, worst);
       if (!(options_.chord > 0.0) || made.deviation <= options_.chord) break;
       if (round == options_.rounds || !finer) {
         made.findings.push_back(
             {"deviation_above",
-             fmt::format(
-                 "the new mesh is {:.3g} m off, more than the chord of {:.3g} m: the old one is rough or folded "
-                 "there; give a greater chord or a smaller size",
-                 made.deviation, options_.chord),
+             fmt::format("the new mesh is {:.3g} off, more than the chord of {:.3g}: the old one is rough or folded "
+                         "there; give a greater chord or a smaller size",
+                         made.deviation, options_.chord),
              place_of(worst)});
         break;
       }
@@ -126,11 +144,12 @@ class Remesher {
     constexpr double much = 0.5;
     if (!(options_.chord > 0.0) && made.deviation > much * size_) {
       made.findings.push_back({"deviation_above",
-                               fmt::format("the new mesh is {:.3g} m off, which is much for sides of {:.3g} m: give a "
+                               fmt::format("the new mesh is {:.3g} off, which is much for sides of {:.3g}: give a "
                                            "chord, or a smaller size",
                                            made.deviation, size_),
                                {}});
     }
+    judge_area(made, worst);
     for (const auto& places : made.mesh.places)
       made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
     made.findings.insert(made.findings.begin(), charted_.findings.begin(), charted_.findings.end());
@@ -142,16 +161,18 @@ class Remesher {
   /// then smoothed copies, without creases. Tells it. @return false where nothing is left
   bool change_guide(Surface& guide, const Surface& pieces, double& crease, Remeshed& made, const Error& why) {
     const base::Place place = in_space(why).place.value_or(base::Place{});
-    if (guide_ == 0 && made.creases > 0) {
+    const bool has_creases = made.creases > made.cut_creases;
+    if (guide_ == 0 && has_creases) {
       guide = pieces;
       ++guide_;
       return true;
     }
     guide_ = std::max(guide_, std::size_t{1});
-    if (made.creases > 0 && crease < 180.0) {
-      made.findings.push_back(
-          {"crease_left_out",
-           fmt::format("{} lines at which the mesh folds are not kept: {}", made.creases, why.message), place});
+    if (has_creases && crease < 180.0) {
+      made.findings.push_back({"crease_left_out",
+                               fmt::format("not all lines at which the mesh folds are kept, left out are {}: {}",
+                                           made.creases - made.cut_creases, why.message),
+                               place});
     }
     crease = 180.0;
     if (guide_ > smoothings.size()) return false;
@@ -240,6 +261,14 @@ class Remesher {
                                  const base::Progress& progress) const {
     Network network = divide_network(charted_, sizes_, options_.corner, crease);
     made.creases = network.creases;
+    made.cut_creases = network.cut_creases;
+    if (lies_in_a_line(network.chart.points)) {
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("size {:.6g} is too large for this mesh: the lines that it is cut along would have too "
+                               "few sides; give a smaller one, such as {:.6g}",
+                               size_, 0.5 * size_),
+                   place_of(network.at[0])};
+    }
     mesh::ChartInput input{smooth, std::move(network.chart), std::move(network.at), std::move(network.node)};
     mesh::ChartMeshOptions options;
     options.sizes.largest = size_;
@@ -259,6 +288,17 @@ class Remesher {
     division.faces.push_back(std::move(input));
     const trim::TrimmedSurface whole{pieces};
     return mesh::assemble({&whole, 1}, division, {&face, 1});
+  }
+
+  /// Tells an area that differs from that of the mesh given.
+  void judge_area(Remeshed& made, Point3 worst) const {
+    made.area_before = area_of(charted_.before);
+    if (std::abs(made.quality.area - made.area_before) <= options_.area_off * made.area_before) return;
+    made.findings.push_back({"area_off",
+                             fmt::format("the new mesh has an area of {:.6g}, the old one of {:.6g}: give a smaller "
+                                         "size, or a chord",
+                                         made.quality.area, made.area_before),
+                             place_of(worst)});
   }
 
   /// Measures the deviation, and makes sizes smaller where it is above the chord.
@@ -321,22 +361,24 @@ void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
   const auto tell = [&](std::size_t count, const char* text) {
     if (count > 0) findings.push_back({"mended", fmt::format(fmt::runtime(text), count), {}});
   };
-  tell(mended.merged, "{} points at the place of another one were joined with it");
-  tell(mended.unused, "{} points of no face were left out");
-  tell(mended.dropped, "{} triangles that are doubled or have two corners only were left out");
-  tell(mended.flipped, "{} triangles without area were mended");
-  tell(mended.turned, "{} triangles were turned the way of the first");
+  tell(mended.merged, "points joined with another one at their place: {}");
+  tell(mended.unused, "points of no face, left out: {}");
+  tell(mended.dropped, "triangles left out that are doubled or have two corners only: {}");
+  tell(mended.flipped, "triangles without area, mended: {}");
+  tell(mended.turned, "triangles turned the way of the first: {}");
 }
 
 bool keeps_holes(const Sheet& sheet) { return sheet.loops.size() > 1 && sheet.genus() == 0; }
 
-Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& options) {
-  charted.opened = param::open(charted.before);
+Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& options, double crease) {
+  charted.opened = param::open(charted.before, {.crease = crease});
   if (charted.opened.sides > 0) {
     charted.findings.push_back(
         {"cut",
-         fmt::format("the mesh has {} borders and {} handles, so it was cut open along {} sides, {:.6g} m in all",
-                     charted.before.loops.size(), charted.before.genus(), charted.opened.sides, charted.opened.length),
+         fmt::format(
+             "the mesh is no disk (borders: {}, handles: {}), so it was cut open (sides of the cut: {}, its length: "
+             "{:.6g})",
+             charted.before.loops.size(), charted.before.genus(), charted.opened.sides, charted.opened.length),
          {}});
   }
   if (!charted.opened.sheet.disk() || charted.opened.sheet.loops[0].size() < 3) {
@@ -357,10 +399,10 @@ Result<void> lay_flat_with_holes(Charted& charted, const param::ParametriseOptio
   charted.opened.across.assign(charted.before.twins.size(), param::no_half_edge);
   charted.parametrisation.uv.resize(charted.before.points.size());
   std::erase_if(charted.parametrisation.flipped, [&](std::uint32_t t) { return t >= charted.before.triangles.size(); });
-  charted.findings.push_back(
-      {"holes",
-       fmt::format("{} borders stay holes in the chart, so the mesh was not cut open", charted.before.loops.size() - 1),
-       {}});
+  charted.findings.push_back({"holes",
+                              fmt::format("borders that stay holes in the chart, so that the mesh was not cut open: {}",
+                                          charted.before.loops.size() - 1),
+                              {}});
   return {};
 }
 
@@ -377,20 +419,24 @@ bool has_many_holes(const Sheet& sheet) {
   return true;
 }
 
-Result<Charted> chart_sheet(const param::SheetMade& made, const param::ParametriseOptions& options, Holes holes) {
+Result<Charted> chart_sheet(const param::SheetMade& made, const param::ParametriseOptions& options, Holes holes,
+                            double crease) {
   Charted charted{made.sheet, {}, {}, {}};
   tell_mended(made.mended, charted.findings);
   if (holes == Holes::Stay && keeps_holes(charted.before)) {
     DOBRA_TRY_VOID(lay_flat_with_holes(charted, options));
   } else {
-    DOBRA_TRY_VOID(lay_flat_cut(charted, options));
+    DOBRA_TRY_VOID(lay_flat_cut(charted, options, crease));
   }
   const param::Parametrisation& chart = charted.parametrisation;
   if (!chart.why_circle.empty())
-    charted.findings.push_back({"circle", fmt::format("the border lies on a circle: {}", chart.why_circle), {}});
+    charted.findings.push_back(
+        {"circle",
+         fmt::format("the border of the chart lies on a circle, not between corners: {}", chart.why_circle),
+         {}});
   if (!chart.flipped.empty()) {
     const auto& sheet = charted.opened.sheet;
-    charted.findings.push_back({"flipped", fmt::format("{} triangles are flipped in the chart", chart.flipped.size()),
+    charted.findings.push_back({"flipped", fmt::format("triangles flipped in the chart: {}", chart.flipped.size()),
                                 place_of(at(sheet.points, sheet.triangles[chart.flipped[0]], looks.back()))});
   }
   return charted;
@@ -399,7 +445,7 @@ Result<Charted> chart_sheet(const param::SheetMade& made, const param::Parametri
 /// One way of laying the mesh flat, and what comes of it.
 Result<Remeshed> remesh_as(const param::SheetMade& sheet, const RemeshOptions& options, double size, Holes holes,
                            const base::Progress& progress) {
-  DOBRA_TRY(Charted charted, chart_sheet(sheet, {.weights = options.weights}, holes));
+  DOBRA_TRY(Charted charted, chart_sheet(sheet, {.weights = options.weights}, holes, options.crease));
   if (!charted.parametrisation.flipped.empty()) {
     const Finding& flipped = charted.findings.back();
     return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
@@ -412,7 +458,7 @@ Result<Remeshed> remesh_as(const param::SheetMade& sheet, const RemeshOptions& o
 Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options,
                            Holes holes) {
   DOBRA_TRY(const param::SheetMade made, param::sheet_of(mesh));
-  return chart_sheet(made, options, holes);
+  return chart_sheet(made, options, holes, 180.0);
 }
 
 Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
