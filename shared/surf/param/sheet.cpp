@@ -22,7 +22,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 namespace {
 
 Error refused(std::string message, Point3 at) {
-  return {ErrorCode::CannotMesh, std::move(message), base::Place{.x = at.x, .y = at.y, .z = at.z}};
+  return {ErrorCode::BadMesh, std::move(message), base::Place{.x = at.x, .y = at.y, .z = at.z}};
 }
 
 /// Half-edges sorted by their ends, without direction.
@@ -254,7 +254,7 @@ void cut_by_ears(const std::vector<Point3>& points, std::vector<std::uint32_t> f
 bool has(const Triangle& t, std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; }
 
 /// Removes the area-less triangle t: its longest side is flipped, on the border the triangle is left out.
-/// @error CannotMesh
+/// @error BadMesh
 base::Result<void> mend_one(const std::vector<Point3>& points, std::vector<Triangle>& triangles, std::size_t t,
                             HalfEdge longest, double flat) {
   const std::uint32_t a = triangles[t][longest], b = triangles[t][(longest + 1) % 3],
@@ -361,7 +361,7 @@ base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const She
   for (const auto& face : mesh.faces) {
     for (const std::uint32_t corner : face) {
       if (corner >= points.size())
-        return Error{ErrorCode::CannotMesh, fmt::format("a face names point {} of {}", corner, points.size())};
+        return Error{ErrorCode::BadMesh, fmt::format("a face names point {} of {}", corner, points.size())};
     }
     mended.cut += face.size() > 3 ? 1 : 0;
     if (face.size() > 4 || (face.size() == 4 && !turns_one_way(points, face))) {
@@ -379,10 +379,10 @@ base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const She
   }
   mended.merged = merge_points(points, triangles);
   mended.dropped = drop_repeated(triangles);
-  if (triangles.empty()) return Error{ErrorCode::CannotMesh, "the mesh has no triangle"};
+  if (triangles.empty()) return Error{ErrorCode::BadMesh, "the mesh has no triangle"};
   DOBRA_TRY(mended.turned, turn_alike(points, triangles));
   DOBRA_TRY(mended.flipped, mend_flat(points, triangles, options.flat));
-  if (triangles.empty()) return Error{ErrorCode::CannotMesh, "no triangle of the mesh has an area"};
+  if (triangles.empty()) return Error{ErrorCode::BadMesh, "no triangle of the mesh has an area"};
   // Merged points are among those without a triangle.
   mended.unused = drop_unused(points, triangles) - mended.merged;
   DOBRA_TRY(made.sheet, connect(std::move(points), std::move(triangles)));
