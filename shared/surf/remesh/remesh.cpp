@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -257,6 +258,37 @@ class Remesher {
     return sum / all;
   }
 
+  /// More triangles than the sizes can mean: what guides the mesher is folded.
+  [[nodiscard]] std::size_t far_too_many(std::size_t nodes_given) const {
+    constexpr double equilateral = 0.433, always = 1000.0, each_node = 10.0;
+    double expected = each_node * static_cast<double>(nodes_given);
+    const auto& points = charted_.before.points;
+    for (const auto& [a, b, c] : charted_.before.triangles) {
+      const double size = (sizes_[a] + sizes_[b] + sizes_[c]) / 3.0;
+      expected += 0.5 * geom::length(cross(points[b] - points[a], points[c] - points[a])) / (equilateral * size * size);
+    }
+    return static_cast<std::size_t>(std::min(1e15, options_.beyond * expected + always));
+  }
+
+  /// The vertex inside whose angles have the sum furthest from 360 degrees.
+  [[nodiscard]] Point3 sharpest() const {
+    const Sheet& sheet = charted_.before;
+    std::vector<double> sums(sheet.points.size(), 0.0);
+    for (param::HalfEdge h = 0; h < sheet.twins.size(); ++h) {
+      const Point3 p = sheet.points[sheet.start(h)];
+      const geom::Vector3 a = sheet.points[sheet.end(h)] - p;
+      const geom::Vector3 b = sheet.points[sheet.start(param::previous(h))] - p;
+      sums[sheet.start(h)] += std::atan2(geom::length(cross(a, b)), dot(a, b));
+    }
+    for (const auto& loop : sheet.loops) {
+      for (const std::uint32_t v : loop) sums[v] = 2.0 * std::numbers::pi;
+    }
+    const auto off = [](double p, double q) {
+      return std::abs(p - 2.0 * std::numbers::pi) < std::abs(q - 2.0 * std::numbers::pi);
+    };
+    return sheet.points[static_cast<std::size_t>(std::max_element(sums.begin(), sums.end(), off) - sums.begin())];
+  }
+
   Result<mesh::SurfaceMesh> fill(const Surface& smooth, const Surface& pieces, double crease, Remeshed& made,
                                  const base::Progress& progress) const {
     Network network = divide_network(charted_, sizes_, options_.corner, crease);
@@ -276,9 +308,17 @@ class Remesher {
     options.sizes.growth = options_.growth;
     options.sizes.least = options_.least * size_;
     options.sizes.wanted = [this](Point uv, Point3) { return wanted(uv); };
-    options.points.max_triangles = options_.most_triangles;
+    options.points.max_triangles = std::min(options_.most_triangles, far_too_many(input.at.size()));
     options.attempts = 1;
-    DOBRA_TRY(mesh::FaceMesh face, mesh::mesh_chart(input, options, progress));
+    auto filled = mesh::mesh_chart(input, options, progress);
+    if (!filled && filled.error().code == ErrorCode::TooManyElements &&
+        options.points.max_triangles < options_.most_triangles) {
+      return Error{ErrorCode::CannotMesh,
+                   "the mesh is so sharp here that its chart asks for far too many triangles: cut it there, or give "
+                   "another size",
+                   place_of(sharpest())};
+    }
+    DOBRA_TRY(mesh::FaceMesh face, std::move(filled));
     // Nodes inside were placed on the smooth surface; they belong on the mesh that was given.
     std::vector<Jet> jets(face.chart.points.size());
     pieces.jets(face.chart.points, jets);
@@ -382,7 +422,7 @@ Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& opt
          {}});
   }
   if (!charted.opened.sheet.disk() || charted.opened.sheet.loops[0].size() < 3) {
-    return Error{ErrorCode::CannotMesh, "the mesh has too few triangles to be cut open",
+    return Error{ErrorCode::BadMesh, "the mesh has too few triangles to be cut open",
                  place_of(charted.before.points[0])};
   }
   DOBRA_TRY(charted.parametrisation, param::parametrise(charted.opened.sheet, options));
@@ -468,7 +508,12 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   if (!(options.chord >= 0.0) || !std::isfinite(options.chord)) return wrong("chord must be a positive length, or 0");
   DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
   const double size = options.size > 0.0 ? options.size : mean_side(made.sheet);
-  while (mean_side(made.sheet) > size && made.sheet.triangles.size() < options.enough)
+  const auto is_small_and_closed = [](const Sheet& sheet) {
+    constexpr std::size_t few = 16;  // too few to be cut open, as those of a tetrahedron
+    return sheet.loops.empty() && sheet.triangles.size() < few;
+  };
+  while ((mean_side(made.sheet) > size && made.sheet.triangles.size() < options.enough) ||
+         is_small_and_closed(made.sheet))
     made.sheet = param::quartered(made.sheet);
   const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
   auto done = remesh_as(made, options, size, first, progress);

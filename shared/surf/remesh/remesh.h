@@ -25,6 +25,7 @@ struct RemeshOptions {
   int rounds = 6;               ///< So often it is meshed anew with smaller sizes where the chord asks for it.
   double area_off = 0.01;       ///< An area that differs by more than this part is told.
   double least = 0.02;          ///< No size below this part of `size`.
+  double beyond = 4.0;          ///< Given up at so many times the triangles that sizes and borders mean.
   std::size_t most_triangles = 20'000'000;
   param::Weights weights = param::Weights::ShapePreserving;
 };

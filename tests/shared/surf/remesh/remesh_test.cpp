@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "tests/support/sheets.h"
 
@@ -247,11 +248,31 @@ TEST(Remesh, AnAreaThatIsAHundredthOffIsToldAndASmallerOneIsNot) {
 TEST(Remesh, ASizeTooLargeForTheMeshIsRefusedWithOneThatMayDo) {
   const PolygonMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  const auto made = remesh(tetrahedron, {.size = 1.0});
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().code, base::ErrorCode::InvalidOption);
-  EXPECT_NE(made.error().message.find("size 1 is too large for this mesh"), std::string::npos) << made.error().message;
+  for (const double size : {1.0, 1.4, 100.0}) {
+    const auto made = remesh(tetrahedron, {.size = size});
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, base::ErrorCode::InvalidOption) << size;
+    EXPECT_NE(made.error().message.find("is too large for this mesh"), std::string::npos) << made.error().message;
+  }
   EXPECT_TRUE(remesh(tetrahedron, {.size = 0.5}).ok());
+}
+
+TEST(Remesh, ANeedleTooSharpForTheSizeIsRefusedAtItsTip) {
+  const auto needle = [](double height) {
+    return grid_mesh(20, 20, [height](double u, double v) {
+      return Point3{u, v, u == 0.5 && v == 0.5 ? height : 0.0};
+    });
+  };
+  const auto blunt = remesh(needle(0.2), {.size = 0.05});
+  ASSERT_TRUE(blunt.ok()) << blunt.error().message;
+  EXPECT_EQ(blunt->flipped, 0U);
+  if (std::getenv("DOBRA_LONG_REMESH") == nullptr) return;  // Half a minute with sanitizers.
+  const auto sharp = remesh(needle(3.0), {.size = 0.05});
+  ASSERT_FALSE(sharp.ok());
+  EXPECT_EQ(sharp.error().code, base::ErrorCode::CannotMesh);
+  ASSERT_TRUE(sharp.error().place && sharp.error().place->z) << sharp.error().message;
+  EXPECT_NEAR(*sharp.error().place->x, 0.5, 0.1);
+  EXPECT_NEAR(*sharp.error().place->y, 0.5, 0.1);
 }
 
 TEST(Remesh, FacesOfMoreCornersAreCutWithoutFlatTriangles) {
