@@ -21,9 +21,12 @@
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
+#include "shared/io/formats/boundary_file.h"
 #include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/mesh_polygons.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
+#include "shared/mesh/polygon_surface.h"
 #include "shared/scenario/runner.h"
 #include "shared/surf/mesh/edge_in_space.h"
 #include "shared/surf/trim/area.h"
@@ -56,23 +59,35 @@ struct Verdict {
   std::vector<std::string> faults;
 };
 
-Result<Verdict> of_polygons(const CheckOptions& options, mesh::Closedness wanted) {
-  DOBRA_TRY(const mesh::PolygonMesh polygons, io::formats::read_polygons(options.input.scenario.file.string()));
+Verdict of_polygons(const mesh::PolygonMesh& polygons, mesh::Closedness wanted) {
+  const mesh::PolygonSurface surface = mesh::surface_of(polygons, wanted);
   Verdict verdict;
-  for (auto& finding : check(polygons, wanted)) {
-    verdict.faults.push_back(std::move(finding.message));
-  }
+  const auto placed = [](const std::string& message, geom::Point3 p) {
+    return base::to_string({base::ErrorCode::CannotMesh, message, base::Place{.x = p.x, .y = p.y, .z = p.z}});
+  };
+  for (const auto& fault : surface.faults) verdict.faults.push_back(placed(fault.message, fault.place));
   double furthest = 0.0;
   std::vector<geom::Point3> corners;
   for (const auto& face : polygons.faces) {
     corners.clear();
-    for (const std::uint32_t corner : face) corners.push_back(polygons.points[corner]);
+    for (const std::uint32_t corner : face) {
+      if (corner < polygons.points.size()) corners.push_back(polygons.points[corner]);
+    }
+    if (corners.size() < 3) continue;
     for (const double distance : mesh::distances_from_mean_plane(corners))
       furthest = std::max(furthest, std::abs(distance));
   }
+  const Json least = surface.triangles > 0 ? Json(surface.alpha_min) : Json(nullptr);
   verdict.counts = {{"points", polygons.points.size()},
                     {"edges", mesh::edges_of(polygons).size()},
                     {"faces", polygons.faces.size()},
+                    {"triangles", surface.triangles},
+                    {"parts", surface.parts},
+                    {"borders", surface.borders},
+                    {"open_edges", surface.open_edges},
+                    {"shared_places", surface.shared_places},
+                    {"area", surface.area},
+                    {"alpha_min", least},
                     {"out_of_plane", furthest}};
   return verdict;
 }
@@ -107,8 +122,21 @@ std::vector<std::string> lone_nodes(const mesh::ElementMesh& mesh) {
                       used.size(), first.x, first.y)};
 }
 
-Result<Verdict> of_elements(const CheckOptions& options) {
-  DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh(options.input.scenario.file.string()));
+/// Elements on a surface: their corners as polygons, with the sets that the file has.
+Verdict of_shell(const io::formats::MeshContents& contents, mesh::Closedness wanted) {
+  Verdict verdict = of_polygons(io::meshes::polygons_of(contents.mesh, contents.heights), wanted);
+  verdict.sets = sets_of(contents.mesh);
+  verdict.remarks = contents.remarks;
+  std::ranges::move(lone_nodes(contents.mesh), std::back_inserter(verdict.remarks));
+  if (std::any_of(contents.mesh.types.begin(), contents.mesh.types.end(), mesh::is_quadratic))
+    verdict.remarks.emplace_back("nodes at mid-sides are not looked at: elements are judged by their corners");
+  return verdict;
+}
+
+Result<Verdict> of_elements(const CheckOptions& options, mesh::Closedness wanted) {
+  DOBRA_TRY(const io::formats::MeshContents contents,
+            io::formats::read_mesh_in_space(options.input.scenario.file.string()));
+  if (!contents.heights.empty()) return of_shell(contents, wanted);
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
@@ -312,6 +340,13 @@ std::string surfaces_text(const Verdict& verdict) {
 
 // --- either ----------------------------------------------------------------------------------------------------------
 
+/// In a plane z = constant.
+bool lies_flat(const mesh::PolygonMesh& polygons) {
+  const auto above = [](geom::Point3 a, geom::Point3 b) { return a.z < b.z; };
+  const auto [low, high] = std::minmax_element(polygons.points.begin(), polygons.points.end(), above);
+  return low == polygons.points.end() || low->z == high->z;
+}
+
 Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
   using io::formats::format_of, io::formats::Use;
   const std::string file = options.input.scenario.file.string();
@@ -320,11 +355,19 @@ Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
     return base::Error{base::ErrorCode::BadUsage,
                        "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra "
                        "convert` and `quebra mesh` draw others"};
-  if (format_of(file, Use::ReadPolygons) == nullptr) return of_elements(options);
   scenario::Table said;
   DOBRA_TRY_VOID(options.input.input.set(session.program.input_fields, said));
   const bool solid = said.find("closed") != nullptr;
-  return of_polygons(options, solid ? mesh::Closedness::Solid : mesh::Closedness::Sheet);
+  const mesh::Closedness wanted = solid ? mesh::Closedness::Solid : mesh::Closedness::Sheet;
+  if (format_of(file, Use::ReadPolygons) != nullptr) {
+    DOBRA_TRY(const mesh::PolygonMesh polygons, io::formats::read_polygons(file));
+    return of_polygons(polygons, wanted);
+  }
+  if (io::formats::check_boundary_ending(file).ok()) {
+    DOBRA_TRY(const mesh::PolygonMesh polygons, io::formats::read_boundary(file));
+    if (!lies_flat(polygons)) return of_polygons(polygons, wanted);
+  }
+  return of_elements(options, wanted);
 }
 
 std::string plain_text(const Verdict& verdict) {

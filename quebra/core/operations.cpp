@@ -183,15 +183,6 @@ scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
       "mesh", "Mesh", "Divides borders and fills the domain with triangles, or each surface: sizes first, then shapes.",
       mesh_model, {.tables = mesh_tables, .outputs = mesh_outputs});
-  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
-                                        const scenario::Context& context,
-                                        const base::Progress& progress) -> base::Result<scenario::State> {
-    if (!scenario::model_of<model::Model>(state).surfaces || table.find("growth") != nullptr)
-      return run(state, table, context, progress);
-    scenario::Table own = table;
-    own.set("growth", surf::mesh::SizeOptions{}.growth);
-    return run(state, own, context, progress);
-  };
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;

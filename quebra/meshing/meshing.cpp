@@ -386,14 +386,15 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
   dobra::mesh::front::MeshOptions& options = prepared.options;
   options.engine = params.engine == EngineChoice::Delaunay ? dobra::mesh::front::Engine::Delaunay
                                                            : dobra::mesh::front::Engine::Front;
-  options.sizes.growth = params.growth;
+  const double growth = params.growth.value_or(plane_growth);
+  options.sizes.growth = growth;
   options.sizes.max_size = params.size;
   options.sizes.function = source.function();
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
   sketch::DivideOptions divide{.size = size,
                                .turn = params.turn,
-                               .growth = params.growth,
+                               .growth = growth,
                                .limit = {},
                                .rule = params.division,
                                .most = static_cast<std::size_t>(params.max_elements)};
@@ -414,10 +415,10 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
   NarrowPlaces places = narrow_places(model.domain, prepared.input, keeps, narrow);
   remark_on_kept(model.domain, places.kept, remarks);
   constexpr double steep = 1.7;
-  if (!places.sizes.empty() && params.growth > steep) {
+  if (!places.sizes.empty() && growth > steep) {
     remarks.push_back(fmt::format(
         "growth = {:.3g} leads away from narrow places so fast that elements beside them are flat; use {} or less",
-        params.growth, steep));
+        growth, steep));
   }
   // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and again
   // while bent ones turn out to come nearer to others than their first chords did.

@@ -2,6 +2,7 @@
 // Domain and constraints -> mesh: curves divided, quadtree, an engine that fills the domain, smoothing; then cracks
 // opened, quadrilaterals, second order.
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,13 +24,16 @@ enum class UseRosettes { No, Yes };
 /// Paper: [miranda2009surface] as it is written.
 enum class EngineChoice { Front, Delaunay, Paper };
 
+/// Most by which sizes grow in the plane where nobody says it.
+inline constexpr double plane_growth = 1.3;
+
 /// What every mesh obeys, that of a mesh step and each of an adaptive loop. A base of MeshParams and AdaptParams.
 struct MeshRules {
   std::string size_formula, background, background_field;
   sketch::DivisionRule division = sketch::DivisionRule::Even;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
   double chord = 0.0;
-  double growth = 1.3;
+  std::optional<double> growth;  ///< Nothing: plane_growth, or 1.17 on surfaces (surf::mesh::SizeOptions).
   double narrow = 1.0;
   EngineChoice engine = EngineChoice::Front;
   int smoothing = 3;
@@ -73,11 +77,13 @@ struct MeshRules {
              .help = "Of the elements' sides; 0 does not ask. Of surfaces in space only.",
              .unit = "m",
              .at_least = 0});
-    d.field("growth", of<P>(&MeshRules::growth),
-            {.title = "Growth",
-             .help = "Most by which sizes may grow from one element to the next; 1.17 on surfaces where left out.",
-             .above = 1,
-             .at_most = 10});
+    d.field(
+        "growth", of<P>(&MeshRules::growth),
+        {.title = "Growth",
+         .help =
+             "Most by which sizes may grow from one element to the next; left out: 1.3 in the plane, 1.17 on surfaces.",
+         .above = 1,
+         .at_most = 10});
     d.field("narrow", of<P>(&MeshRules::narrow),
             {.title = "Across narrow places",
              .help = "Elements wanted across the material where curves, crack tips or points come near each other: "

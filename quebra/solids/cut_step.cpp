@@ -48,10 +48,19 @@ Result<solid::CutPlane> plane_of(const std::vector<double>& numbers, const StepC
 }
 
 Error missed(solid::Contact contact) {
-  const std::string how = contact == solid::Contact::Nothing
-                              ? "misses the solid"
-                              : fmt::format("only touches the solid (in a {})", solid::name(contact));
-  return Error{ErrorCode::BadDomain, fmt::format("the plane {}: the section is empty", how)};
+  const auto said = [](const char* text) { return Error{ErrorCode::BadDomain, text}; };
+  switch (contact) {
+    case solid::Contact::Vertex:
+      return said("the plane only touches the solid, in a vertex: the section is empty");
+    case solid::Contact::Edge:
+      return said("the plane only touches the solid, in an edge: the section is empty");
+    case solid::Contact::Face:
+      return said("the plane only touches the solid, in a face: the section is empty");
+    case solid::Contact::Nothing:
+    case solid::Contact::Volume:
+      break;
+  }
+  return said("the plane misses the solid: the section is empty");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParam
   options.sizes = {.largest = params.size,
                    .turn = params.turn.degrees(),
                    .chord = params.chord,
-                   .growth = params.growth,
+                   .growth = params.growth.value_or(surf::mesh::SizeOptions{}.growth),
                    .narrow = params.narrow};
   options.engine = params.engine == meshing::EngineChoice::Paper ? SurfaceEngine::Paper : SurfaceEngine::Front;
   options.size_formula = params.size_formula;

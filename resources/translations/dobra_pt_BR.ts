@@ -6143,8 +6143,8 @@
         <translation>De x e y: "0.1 + 0.05 * hypot(x, y)"; vale o menor de todos os tamanhos. Em superfícies, de x, y, z e, onde uma só recebe malha, de u e v da sua carta.</translation>
     </message>
     <message>
-        <source>Most by which sizes may grow from one element to the next; 1.17 on surfaces where left out.</source>
-        <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; 1,17 em superfícies onde for omitido.</translation>
+        <source>Most by which sizes may grow from one element to the next; left out: 1.3 in the plane, 1.17 on surfaces.</source>
+        <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; omitido: 1,3 no plano, 1,17 em superfícies.</translation>
     </message>
     <message>
         <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as it is written.</source>

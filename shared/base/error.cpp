@@ -32,9 +32,9 @@ int exit_code(ErrorCode code) {
   if (code == ErrorCode::Cancelled) return 130;
   if (code == ErrorCode::BadUsage) return 2;
   const bool bad_input = number / 100 == 1 || number / 100 == 7 || number / 100 == 8 || code == ErrorCode::BadSection ||
-                         code == ErrorCode::BadDomain || code == ErrorCode::NotClosed ||
-                         code == ErrorCode::NotSupported || code == ErrorCode::SelfIntersection ||
-                         code == ErrorCode::OutsideDomain;
+                         code == ErrorCode::BadDomain || code == ErrorCode::NotClosed || code == ErrorCode::InsideOut ||
+                         code == ErrorCode::BadMesh || code == ErrorCode::NotSupported ||
+                         code == ErrorCode::SelfIntersection || code == ErrorCode::OutsideDomain;
   const bool cannot_write = code == ErrorCode::CannotWrite;
   return bad_input && !cannot_write ? 3 : 4;
 }

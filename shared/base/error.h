@@ -26,6 +26,7 @@ enum class ErrorCode : int {
   OutsideDomain = 401,
   CannotMesh = 402,
   TooManyElements = 403,
+  BadMesh = 404,  ///< A mesh that is given is not what it must be, such as one sheet.
   // fem
   CannotSolve = 500,
   NotSupported = 501,
@@ -58,6 +59,7 @@ enum class ErrorCode : int {
   BadDomain = 1100,
   // solid
   NotClosed = 1200,
+  InsideOut = 1201,  ///< Its faces, or those of a part, look inwards.
 };
 
 /// Where in the user's material the trouble is. Every part is optional.

@@ -35,6 +35,8 @@ const char* name_of(base::ErrorCode code) {
       return "cannot_mesh";
     case base::ErrorCode::TooManyElements:
       return "too_many_elements";
+    case base::ErrorCode::BadMesh:
+      return "bad_mesh";
     case base::ErrorCode::CannotSolve:
       return "cannot_solve";
     case base::ErrorCode::NotSupported:
@@ -83,6 +85,8 @@ const char* name_of(base::ErrorCode code) {
       return "bad_domain";
     case base::ErrorCode::NotClosed:
       return "not_closed";
+    case base::ErrorCode::InsideOut:
+      return "inside_out";
   }
   return "error";
 }

@@ -23,17 +23,17 @@ Result<Matrix> parse_matrix(const std::string& text) {
     const std::string word = text.substr(begin, end - begin);
     const auto value = base::parse_number(word);
     if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadValue, fmt::format("--place: '{}' is not a finite number", word)};
+      return Error{ErrorCode::BadUsage, fmt::format("--place: '{}' is not a finite number", word)};
     if (count < matrix.size()) matrix[count] = *value;
     begin = end + 1;
   }
   if (count != matrix.size()) {
     return Error{
-        ErrorCode::BadValue,
+        ErrorCode::BadUsage,
         fmt::format("--place has {} numbers: give the 16 of a matrix, row by row, with commas between them", count)};
   }
   if (const auto good = solid::check_matrix(matrix); !good)
-    return Error{ErrorCode::BadValue, "--place: " + good.error().message};
+    return Error{ErrorCode::BadUsage, "--place: " + good.error().message};
   return matrix;
 }
 
@@ -55,18 +55,18 @@ Result<solid::CutPlane> parse_plane(const std::string& text) {
     const std::string word = text.substr(begin, end - begin);
     const auto value = base::parse_number(word);
     if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadValue, fmt::format("--cut: '{}' is not a finite number", word)};
+      return Error{ErrorCode::BadUsage, fmt::format("--cut: '{}' is not a finite number", word)};
     numbers.push_back(*value);
     begin = end + 1;
   }
   if (numbers.size() != 4) {
     return Error{
-        ErrorCode::BadValue,
+        ErrorCode::BadUsage,
         fmt::format("--cut has {} numbers: give a,b,c,d of the plane a x + b y + c z + d = 0", numbers.size())};
   }
   const solid::CutPlane plane{numbers[0], numbers[1], numbers[2], numbers[3]};
   if (const auto frame = solid::frame_of(plane); !frame)
-    return Error{ErrorCode::BadValue, "--cut: " + frame.error().message};
+    return Error{ErrorCode::BadUsage, "--cut: " + frame.error().message};
   return plane;
 }
 

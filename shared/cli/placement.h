@@ -11,10 +11,10 @@
 namespace dobra::cli {
 
 /// 16 numbers with commas between them, row by row.
-/// @error BadValue: not 16 numbers, and what check_matrix() says.
+/// @error BadUsage: not 16 numbers, and what check_matrix() says.
 base::Result<solid::Matrix> parse_matrix(const std::string& text);
 
-/// Four numbers with commas between them. @error BadValue: not that, or no plane.
+/// Four numbers with commas between them. @error BadUsage: not that, or no plane.
 base::Result<solid::CutPlane> parse_plane(const std::string& text);
 
 struct Placed {

@@ -74,7 +74,7 @@ struct SolidOptions {
   Path file;
   std::array<std::vector<std::string>, kinds.size()> others;
   std::vector<std::string> places;
-  OptionsOf<SolidExtras> extra_options;
+  OptionsOf<SolidExtras> extra_options{OutOfRange::BadUsage};
   SolidExtras extras;
   std::optional<Path> out;
 };
@@ -392,7 +392,13 @@ Result<int> solid_job(Session& session, const SolidCommand& program, const Solid
   } else if (options.out) {
     DOBRA_TRY_VOID(timed(outcome.seconds.write, [&] { return write_out(session, *options.out, outcome); }));
   }
-  DOBRA_TRY_VOID(tell(session, json_of(outcome), outcome.findings));
+  nlohmann::ordered_json told = json_of(outcome);
+  if (outcome.cut && session.options.format != OutputFormat::Json) {
+    // What is printed as lines has no nested values.
+    for (const char* key : {"area", "pieces", "holes", "curves"})
+      told[fmt::format("cut_{}", key)] = (*outcome.cut)[key];
+  }
+  DOBRA_TRY_VOID(tell(session, told, outcome.findings));
   return 0;
 }
 

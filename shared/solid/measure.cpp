@@ -103,16 +103,18 @@ Measures measure(const Solid& solid) {
   const Real3 origin = real(soup.space, soup.corners[0]);
   Real3 centre{};
   for (std::size_t i = 0; i < 3; ++i) centre[i] = first[i] / (4 * six);
-  out.centre = {static_cast<double>(Real(centre[0] + origin[0])), static_cast<double>(Real(centre[1] + origin[1])),
-                static_cast<double>(Real(centre[2] + origin[2]))};
+  // Adding nought makes -0 a 0.
+  const auto rounded = [](const Real& value) { return static_cast<double>(value) + 0.0; };
+  out.centre = {rounded(Real(centre[0] + origin[0])), rounded(Real(centre[1] + origin[1])),
+                rounded(Real(centre[2] + origin[2]))};
   std::array<Real, 6> about{};
   for (std::size_t k = 0; k < 6; ++k) {
     const auto [i, j] = pairs[k];
     about[k] = second[k] / 120 - six / 6 * centre[i] * centre[j];
   }
-  out.inertia = {static_cast<double>(Real(about[1] + about[2])), static_cast<double>(Real(about[2] + about[0])),
-                 static_cast<double>(Real(about[0] + about[1])), static_cast<double>(Real(-about[3])),
-                 static_cast<double>(Real(-about[4])),           static_cast<double>(Real(-about[5]))};
+  out.inertia = {rounded(Real(about[1] + about[2])), rounded(Real(about[2] + about[0])),
+                 rounded(Real(about[0] + about[1])), rounded(Real(-about[3])),
+                 rounded(Real(-about[4])),           rounded(Real(-about[5]))};
   return out;
 }
 

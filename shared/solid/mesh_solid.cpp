@@ -235,7 +235,8 @@ class Reader {
     if (covers.size() > 1) return cover_error(covers, at);
     const char* what = inverted ? "face {} is turned inside out, and so is the part that it bounds: turn its faces over"
                                 : "face {} bounds a part that lies within another part: unite them, or turn it over";
-    return {ErrorCode::SelfIntersection, fmt::format(fmt::runtime(what), face_[covers[0].facet]), place_at(at)};
+    return {inverted ? ErrorCode::InsideOut : ErrorCode::SelfIntersection,
+            fmt::format(fmt::runtime(what), face_[covers[0].facet]), place_at(at)};
   }
 
   std::uint32_t name_number(const std::string& name) {

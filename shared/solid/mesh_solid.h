@@ -21,8 +21,8 @@ struct FromMeshOptions {
 
 /// Parts of the mesh may touch in faces' corners, in edges and in vertices, and lie in each other's cavities, turned
 /// over; edges may end within others if the surface closes there.
-/// @error NotFinite, NotClosed (an edge where a face is missing or turned over), SelfIntersection (a face that
-///        crosses itself, faces that cross, or a region that is surrounded twice or from the wrong side).
+/// @error NotFinite, NotClosed (an edge where a face is missing or turned over), InsideOut, SelfIntersection (a face
+///        that crosses itself, faces that cross, or a region that is surrounded twice or from the wrong side).
 /// @cost  O(n log n + pairs of faces whose boxes overlap)
 base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options = {});
 

@@ -79,12 +79,15 @@ struct MeshContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< What was left out, one line each.
   meshes::FileElements elements = {};
+  std::vector<double> heights = {};  ///< z of the nodes, m, of a mesh in space; empty: it is plane.
 };
 
 /// Meshes in and out. A format that is one text has `parse` and `text`, another one `read` and `write`.
 struct MeshRow {
   base::Result<MeshContents> (*parse)(std::string_view text, const std::string& file) = nullptr;
   base::Result<MeshContents> (*read)(const std::string& path) = nullptr;
+  /// As `parse`, of a mesh that may lie in space; nothing: the format holds none of elements.
+  base::Result<MeshContents> (*parse_in_space)(std::string_view text, const std::string& file) = nullptr;
   /// @param element  of .inp, which alone says what kind of elements they are.
   /// @param heights  of a mesh in space; none where not `space`.
   base::Result<std::string> (*text)(const mesh::ElementMesh& mesh, meshes::InpElement element,

@@ -162,19 +162,37 @@ LineRow geopackage_row() {
 
 using Losses = std::vector<std::string>;
 
-template <auto parse>
-Result<MeshContents> contents_of(std::string_view text, const std::string& file) {
-  DOBRA_TRY(auto all, parse(text, file));
+template <class Contents>
+MeshContents contents_of(Contents&& all) {
   MeshContents contents;
   contents.mesh = std::move(all.mesh);
   if constexpr (requires { all.remarks; }) contents.remarks = std::move(all.remarks);
   if constexpr (requires { all.elements; }) contents.elements = std::move(all.elements);
+  if constexpr (requires { all.heights; }) contents.heights = std::move(all.heights);
   return contents;
+}
+
+template <auto parse>
+Result<MeshContents> plane(std::string_view text, const std::string& file) {
+  if constexpr (requires { parse(text, file, meshes::Flatness::Plane); }) {
+    DOBRA_TRY(auto all, parse(text, file, meshes::Flatness::Plane));
+    return contents_of(std::move(all));
+  } else {
+    DOBRA_TRY(auto all, parse(text, file));
+    return contents_of(std::move(all));
+  }
+}
+
+template <auto parse>
+Result<MeshContents> in_space(std::string_view text, const std::string& file) {
+  DOBRA_TRY(auto all, parse(text, file, meshes::Flatness::Any));
+  return contents_of(std::move(all));
 }
 
 MeshRow vtu_row() {
   return {
-      .parse = contents_of<meshes::parse_vtu>,
+      .parse = plane<meshes::parse_vtu>,
+      .parse_in_space = in_space<meshes::parse_vtu>,
       .text = [](const ElementMesh& mesh, InpElement,
                  meshes::Heights heights) { return meshes::vtu_text(mesh, {}, meshes::VtuEncoding::Ascii, heights); },
       .fields = [](std::string_view text, const std::string& file) -> Result<MeshAndFields> {
@@ -188,7 +206,8 @@ MeshRow vtu_row() {
 
 template <meshes::MshVersion version>
 MeshRow msh_row() {
-  return {.parse = contents_of<meshes::parse_msh>,
+  return {.parse = plane<meshes::parse_msh>,
+          .parse_in_space = in_space<meshes::parse_msh>,
           .text = [](const ElementMesh& mesh, InpElement,
                      meshes::Heights heights) { return meshes::msh_text(mesh, version, heights); },
           .space = true,
@@ -209,7 +228,8 @@ MeshRow msh_row() {
 
 MeshRow inp_row() {
   return {
-      .parse = contents_of<meshes::parse_inp>,
+      .parse = plane<meshes::parse_inp>,
+      .parse_in_space = in_space<meshes::parse_inp>,
       .text = [](const ElementMesh& mesh, InpElement element,
                  meshes::Heights heights) { return meshes::inp_text(mesh, {.element = element, .heights = heights}); },
       .space = true,
@@ -228,7 +248,8 @@ MeshRow inp_row() {
 }
 
 MeshRow bdf_row() {
-  return {.parse = contents_of<meshes::parse_bdf>,
+  return {.parse = plane<meshes::parse_bdf>,
+          .parse_in_space = in_space<meshes::parse_bdf>,
           .text = [](const ElementMesh& mesh, InpElement,
                      meshes::Heights heights) { return meshes::bdf_text(mesh, heights); },
           .space = true,
@@ -236,8 +257,7 @@ MeshRow bdf_row() {
 }
 
 MeshRow neutral_row() {
-  return {.parse = contents_of<meshes::parse_neutral>,
-          .text = [](const ElementMesh& mesh, InpElement, meshes::Heights) {
+  return {.parse = plane<meshes::parse_neutral>, .text = [](const ElementMesh& mesh, InpElement, meshes::Heights) {
             return meshes::neutral_text({mesh, {}, 1.0});
           }};
 }

@@ -56,6 +56,17 @@ Result<mesh::PolygonMesh> read_polygons(const std::string& path) {
   return format->mesh->polygons(text, path);
 }
 
+namespace {
+
+void tell_turned(const std::string& path, MeshContents& contents) {
+  const std::size_t turned = contents.elements.turned.size();
+  if (turned == 0) return;
+  contents.remarks.push_back(fmt::format("{}: {} of {} elements run clockwise and are turned round", path, turned,
+                                         contents.mesh.element_count()));
+}
+
+}  // namespace
+
 Result<MeshContents> read_mesh(const std::string& path) {
   DOBRA_TRY(const Format* const format, format_for(path, Use::ReadMesh, "meshes"));
   const auto read = [&]() -> Result<MeshContents> {
@@ -64,10 +75,16 @@ Result<MeshContents> read_mesh(const std::string& path) {
     return format->mesh->parse(text, path);
   };
   DOBRA_TRY(MeshContents contents, read());
-  if (const std::size_t turned = contents.elements.turned.size(); turned > 0) {
-    contents.remarks.push_back(fmt::format("{}: {} of {} elements run clockwise and are turned round", path, turned,
-                                           contents.mesh.element_count()));
-  }
+  tell_turned(path, contents);
+  return contents;
+}
+
+Result<MeshContents> read_mesh_in_space(const std::string& path) {
+  DOBRA_TRY(const Format* const format, format_for(path, Use::ReadMesh, "meshes"));
+  if (format->mesh->parse_in_space == nullptr) return read_mesh(path);
+  DOBRA_TRY(const std::string text, read_text(path));
+  DOBRA_TRY(MeshContents contents, format->mesh->parse_in_space(text, path));
+  tell_turned(path, contents);
   return contents;
 }
 

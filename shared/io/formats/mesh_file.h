@@ -17,6 +17,10 @@ namespace dobra::io::formats {
 /// @error UnknownFormat naming the endings; those of the readers.
 base::Result<MeshContents> read_mesh(const std::string& path);
 
+/// The same of a mesh that may lie in space: then it has heights, and its elements stand as in the file.
+/// Formats that hold elements in the plane alone are read as by read_mesh.
+base::Result<MeshContents> read_mesh_in_space(const std::string& path);
+
 struct MeshAndFields {
   mesh::ElementMesh mesh;
   meshes::MeshFields fields;

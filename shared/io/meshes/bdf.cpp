@@ -175,8 +175,12 @@ struct Fields {
 
 class BdfReader {
  public:
-  BdfReader(std::string_view text, const std::string& file)
-      : lines_(text), file_(file), begun_(text.find("BEGIN BULK") != std::string_view::npos), bulk_(!begun_) {}
+  BdfReader(std::string_view text, const std::string& file, Flatness flatness)
+      : lines_(text),
+        file_(file),
+        flatness_(flatness),
+        begun_(text.find("BEGIN BULK") != std::string_view::npos),
+        bulk_(!begun_) {}
 
   Result<BdfContents> run() {
     while (lines_.next()) {
@@ -382,7 +386,8 @@ class BdfReader {
       mesh::add_element(mesh, element.type, own,
                         tag == region_.end() ? static_cast<std::int32_t>(element.property) : tag->second);
     }
-    DOBRA_TRY_VOID(check_plane(mesh, heights_, file_));
+    DOBRA_TRY(const bool in_space, lies_in_space(mesh, heights_, file_, flatness_));
+    if (in_space) contents_.heights = std::move(heights_);
     for (const auto& [name, nodes] : sets_) {
       for (const auto& [id, line] : nodes) {
         DOBRA_TRY(const NodeId n, node(id, line));
@@ -402,7 +407,7 @@ class BdfReader {
       }
     }
     for (const Element& element : elements_) contents_.elements.numbers.push_back(element.id);
-    contents_.elements.turned = finish(mesh, edges).turned;
+    contents_.elements.turned = finish(mesh, edges, contents_.heights).turned;
     return std::move(contents_);
   }
 
@@ -418,6 +423,7 @@ class BdfReader {
 
   Lines lines_;
   std::string file_;
+  Flatness flatness_;
   bool begun_;  // the file has BEGIN BULK
   bool bulk_;
   bool ended_ = false;
@@ -436,9 +442,9 @@ class BdfReader {
 
 }  // namespace
 
-Result<BdfContents> parse_bdf(std::string_view text, const std::string& file) {
+Result<BdfContents> parse_bdf(std::string_view text, const std::string& file, Flatness flatness) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return BdfReader(text, file).run();
+  return BdfReader(text, file, flatness).run();
 }
 
 Result<BdfContents> read_bdf(const std::string& path) {

@@ -23,6 +23,7 @@ struct BdfContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< Cards left out, one line each.
   FileElements elements = {};
+  std::vector<double> heights = {};  ///< z of the nodes, m, of a mesh in space; empty: it is plane.
 };
 
 /// A card is in small fields of 8 characters where they hold all that large ones of 16 would, else in large ones.
@@ -35,7 +36,8 @@ base::Result<void> write_bdf(const std::string& path, const mesh::ElementMesh& m
 
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column.
 base::Result<BdfContents> read_bdf(const std::string& path);
-base::Result<BdfContents> parse_bdf(std::string_view text, const std::string& file);
+base::Result<BdfContents> parse_bdf(std::string_view text, const std::string& file,
+                                    Flatness flatness = Flatness::Plane);
 
 /// A real number in at most `width` characters, with a point; the same text for what is read from it.
 std::string bdf_number(double value, std::size_t width);

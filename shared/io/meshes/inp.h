@@ -33,6 +33,7 @@ struct InpContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< Keywords left out, one line each.
   FileElements elements = {};
+  std::vector<double> heights = {};  ///< z of the nodes, m, of a mesh in space; empty: it is plane.
 };
 
 /// A name that a label cannot hold (letters, digits, _ and -, at most 80), or that another set has already but for its
@@ -54,7 +55,8 @@ base::Result<void> write_inp(const std::string& path, const mesh::ElementMesh& m
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:
 ///        other elements.
 base::Result<InpContents> read_inp(const std::string& path);
-base::Result<InpContents> parse_inp(std::string_view text, const std::string& file);
+base::Result<InpContents> parse_inp(std::string_view text, const std::string& file,
+                                    Flatness flatness = Flatness::Plane);
 
 /// `value` as InpNumbers::TwentyColumns writes it.
 std::string twenty_columns(double value);

@@ -57,8 +57,8 @@ std::optional<mesh::ElementType> element_type(const std::string& name) {
 
 class InpReader {
  public:
-  InpReader(std::string_view text, const std::string& file)
-      : records_(text, file, '\0', ','), whole_(text.ends_with('\n') || text.ends_with('\r')) {}
+  InpReader(std::string_view text, const std::string& file, Flatness flatness)
+      : records_(text, file, '\0', ','), flatness_(flatness), whole_(text.ends_with('\n') || text.ends_with('\r')) {}
 
   Result<InpContents> run() {
     while (records_.next()) {
@@ -87,7 +87,8 @@ class InpReader {
       return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals",
                    base::Place{.file = records_.file()}};
     }
-    DOBRA_TRY_VOID(check_plane(contents_.mesh, heights_, records_.file()));
+    DOBRA_TRY(const bool in_space, lies_in_space(contents_.mesh, heights_, records_.file(), flatness_));
+    if (in_space) contents_.heights = std::move(heights_);
     if (!whole_) {
       contents_.remarks.push_back(
           fmt::format("{}:{}: the file ends inside a line, perhaps cut short: {}; end the last line if it is whole",
@@ -237,10 +238,11 @@ class InpReader {
     }
     contents_.elements.numbers.resize(mesh.element_count());
     for (const auto& [number, position] : element_index_) contents_.elements.numbers[position] = number;
-    contents_.elements.turned = finish(mesh, surfaces_).turned;
+    contents_.elements.turned = finish(mesh, surfaces_, contents_.heights).turned;
   }
 
   Records records_;
+  Flatness flatness_;
   bool whole_;  // the last line has its end
   InpContents contents_;
   std::string keyword_;
@@ -259,9 +261,9 @@ class InpReader {
 
 }  // namespace
 
-Result<InpContents> parse_inp(std::string_view text, const std::string& file) {
+Result<InpContents> parse_inp(std::string_view text, const std::string& file, Flatness flatness) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return InpReader(text, file).run();
+  return InpReader(text, file, flatness).run();
 }
 
 Result<InpContents> read_inp(const std::string& path) {

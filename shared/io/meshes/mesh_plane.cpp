@@ -39,4 +39,12 @@ Result<void> check_plane(const mesh::ElementMesh& mesh, std::span<const double> 
   return check_plane(points, own, file);
 }
 
+Result<bool> lies_in_space(const mesh::ElementMesh& mesh, std::span<const double> heights, const std::string& file,
+                           Flatness flatness) {
+  auto plane = check_plane(mesh, heights, file);
+  if (plane.ok()) return false;
+  if (flatness == Flatness::Any) return true;
+  return plane.error();
+}
+
 }  // namespace dobra::io::meshes

@@ -6,6 +6,7 @@
 
 #include "shared/base/result.h"
 #include "shared/geom/point.h"
+#include "shared/io/meshes/heights.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io::meshes {
@@ -17,5 +18,9 @@ base::Result<void> check_plane(std::span<const geom::Point> points, std::span<co
                                const std::string& file);
 /// The same for the nodes that elements use.
 base::Result<void> check_plane(const mesh::ElementMesh& mesh, std::span<const double> heights, const std::string& file);
+
+/// Whether the nodes that elements use lie in no plane z = constant. @error as check_plane, where `flatness` is Plane.
+base::Result<bool> lies_in_space(const mesh::ElementMesh& mesh, std::span<const double> heights,
+                                 const std::string& file, Flatness flatness);
 
 }  // namespace dobra::io::meshes

@@ -98,8 +98,9 @@ Result<void> check_writable(const ElementMesh& mesh, Heights heights) {
   return {};
 }
 
-Finished finish(ElementMesh& mesh, const EdgeSets& sets) {
-  Finished done{0, turn_anticlockwise(mesh)};
+Finished finish(ElementMesh& mesh, const EdgeSets& sets, Heights heights) {
+  Finished done;
+  if (heights.empty()) done.turned = turn_anticlockwise(mesh);
   const MeshSides sides(mesh);
   for (const auto& [name, edges] : sets) {
     auto& set = mesh.side_sets[name];

@@ -44,7 +44,7 @@ struct Finished {
 };
 
 /// For readers, last: turns clockwise elements, makes side sets of the edges (the element on the left, or else on the
-/// right), and finds the tips of cracks by their names.
-Finished finish(mesh::ElementMesh& mesh, const EdgeSets& sets);
+/// right), and finds the tips of cracks by their names. Of a mesh in space it turns none.
+Finished finish(mesh::ElementMesh& mesh, const EdgeSets& sets, Heights heights = {});
 
 }  // namespace dobra::io::meshes

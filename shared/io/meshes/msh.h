@@ -22,6 +22,7 @@ struct MshContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< What was left out, one line each.
   FileElements elements = {};
+  std::vector<double> heights = {};  ///< z of the nodes, m, of a mesh in space; empty: it is plane.
 };
 
 enum class MshVersion { V22, V41 };
@@ -43,6 +44,7 @@ std::map<std::string, std::string> msh_renamings(const mesh::ElementMesh& mesh);
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:
 ///        another version, binary, other elements.
 base::Result<MshContents> read_msh(const std::string& path);
-base::Result<MshContents> parse_msh(std::string_view text, const std::string& file);
+base::Result<MshContents> parse_msh(std::string_view text, const std::string& file,
+                                    Flatness flatness = Flatness::Plane);
 
 }  // namespace dobra::io::meshes

@@ -48,7 +48,8 @@ struct Element {
 
 class MshReader {
  public:
-  MshReader(std::string_view text, const std::string& file) : text_(text), records_(text, file, '\0') {}
+  MshReader(std::string_view text, const std::string& file, Flatness flatness)
+      : text_(text), records_(text, file, '\0'), flatness_(flatness) {}
 
   Result<MshContents> run() {
     bool version_known = false;
@@ -287,7 +288,8 @@ class MshReader {
     }
     std::vector<double> heights;
     for (const auto& [tag, z] : heights_) heights.push_back(z);
-    DOBRA_TRY_VOID(check_plane(mesh, heights, records_.file()));
+    DOBRA_TRY(const bool in_space, lies_in_space(mesh, heights, records_.file(), flatness_));
+    if (in_space) contents_.heights = std::move(heights);
     EdgeSets sets;
     for (const Element& element : elements_[1]) {
       for (const std::int64_t group : groups_[{1, element.entity}]) {
@@ -299,7 +301,7 @@ class MshReader {
         mesh.node_sets[name_of(0, group)].push_back(NodeId(element.nodes[0]));
       }
     }
-    Finished done = finish(mesh, sets);
+    Finished done = finish(mesh, sets, contents_.heights);
     contents_.elements.turned = std::move(done.turned);
     if (done.lost > 0) {
       contents_.remarks.push_back(
@@ -334,6 +336,7 @@ class MshReader {
 
   std::string_view text_;
   Records records_;
+  Flatness flatness_;
   bool old_ = false;  // version 2.2
   MshContents contents_;
   std::map<EntityKey, std::string> names_;                 // (dimension, physical tag)
@@ -345,9 +348,9 @@ class MshReader {
 
 }  // namespace
 
-Result<MshContents> parse_msh(std::string_view text, const std::string& file) {
+Result<MshContents> parse_msh(std::string_view text, const std::string& file, Flatness flatness) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return MshReader(text, file).run();
+  return MshReader(text, file, flatness).run();
 }
 
 Result<MshContents> read_msh(const std::string& path) {

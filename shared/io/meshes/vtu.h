@@ -35,6 +35,7 @@ enum class VtuEncoding { Ascii, Base64 };
 struct VtuContents {
   mesh::ElementMesh mesh;
   MeshFields fields;
+  std::vector<double> heights = {};  ///< z of the nodes, m, of a mesh in space; empty: it is plane.
 };
 
 /// The text of a .vtu; every number with all its digits.
@@ -49,6 +50,7 @@ base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& m
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:
 ///        appended or compressed data, cells that are neither triangles nor quadrilaterals.
 base::Result<VtuContents> read_vtu(const std::string& path);
-base::Result<VtuContents> parse_vtu(std::string_view text, const std::string& file);
+base::Result<VtuContents> parse_vtu(std::string_view text, const std::string& file,
+                                    Flatness flatness = Flatness::Plane);
 
 }  // namespace dobra::io::meshes

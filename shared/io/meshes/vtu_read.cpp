@@ -61,7 +61,7 @@ struct Array {
 
 class VtuReader {
  public:
-  explicit VtuReader(const Xml& xml) : xml_(xml) {}
+  VtuReader(const Xml& xml, Flatness flatness) : xml_(xml), flatness_(flatness) {}
 
   Result<VtuContents> run() {
     DOBRA_TRY_VOID(read_arrays());
@@ -72,6 +72,7 @@ class VtuReader {
     DOBRA_TRY_VOID(take_fields("CellData", contents.mesh.element_count(), contents.fields.at_elements));
     take_regions(contents);
     DOBRA_TRY_VOID(take_sets(contents.mesh));
+    if (in_space_) contents.heights = std::move(heights_);
     return contents;
   }
 
@@ -227,7 +228,8 @@ class VtuReader {
       add_element(mesh, type->second, own, 0);
     }
     if (mesh.element_count() == 0) return error(kinds.node, "the file holds no elements");
-    return check_plane(mesh, heights_, xml_.file());
+    DOBRA_TRY(in_space_, lies_in_space(mesh, heights_, xml_.file(), flatness_));
+    return {};
   }
 
   /// A whole number below `limit`.
@@ -299,6 +301,8 @@ class VtuReader {
   }
 
   const Xml& xml_;
+  const Flatness flatness_;
+  bool in_space_ = false;
   std::size_t header_size_ = 4;
   std::vector<double> heights_;  // of the points
   std::map<std::string, std::vector<Array>> arrays_;
@@ -306,9 +310,9 @@ class VtuReader {
 
 }  // namespace
 
-Result<VtuContents> parse_vtu(std::string_view text, const std::string& file) {
+Result<VtuContents> parse_vtu(std::string_view text, const std::string& file, Flatness flatness) {
   DOBRA_TRY(const Xml xml, Xml::parse(text, file));
-  return VtuReader(xml).run();
+  return VtuReader(xml, flatness).run();
 }
 
 Result<VtuContents> read_vtu(const std::string& path) {

@@ -1,6 +1,8 @@
 // A sheet cut open along shortest ways.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <queue>
 
@@ -20,7 +22,27 @@ struct Ways {
   std::vector<HalfEdge> by;  ///< The half-edge, in either direction, that the way to a point ends with.
 };
 
-Ways ways_from(const Sheet& sheet, const std::vector<std::uint32_t>& from) {
+/// The length of every half-edge, as ways count it.
+std::vector<double> counted_lengths(const Sheet& sheet, const std::vector<bool>& folded, double beside) {
+  const bool some = std::find(folded.begin(), folded.end(), true) != folded.end();
+  std::vector<double> lengths(sheet.twins.size());
+  for (HalfEdge h = 0; h < lengths.size(); ++h) {
+    const double length = geom::distance(sheet.points[sheet.start(h)], sheet.points[sheet.end(h)]);
+    lengths[h] = some && !folded[h] ? beside * length : length;
+  }
+  return lengths;
+}
+
+/// Where creases meet or end.
+std::vector<bool> crease_corners(const Sheet& sheet, const std::vector<bool>& folded) {
+  std::vector<std::uint32_t> creases(sheet.points.size(), 0);
+  for (HalfEdge h = 0; h < folded.size(); ++h) creases[sheet.start(h)] += folded[h] ? 1 : 0;
+  std::vector<bool> corners(creases.size());
+  for (std::size_t v = 0; v < creases.size(); ++v) corners[v] = creases[v] != 0 && creases[v] != 2;
+  return corners;
+}
+
+Ways ways_from(const Sheet& sheet, const std::vector<double>& lengths, const std::vector<std::uint32_t>& from) {
   const std::size_t n = sheet.points.size();
   std::vector<std::vector<HalfEdge>> out(n);
   for (HalfEdge h = 0; h < sheet.twins.size(); ++h) {
@@ -40,7 +62,7 @@ Ways ways_from(const Sheet& sheet, const std::vector<std::uint32_t>& from) {
     if (length > ways.length[v]) continue;
     for (const HalfEdge h : out[v]) {
       const std::uint32_t to = sheet.start(h) == v ? sheet.end(h) : sheet.start(h);
-      const double there = length + geom::distance(sheet.points[v], sheet.points[to]);
+      const double there = length + lengths[h];
       if (there < ways.length[to]) {
         ways.length[to] = there;
         ways.by[to] = h;
@@ -53,7 +75,14 @@ Ways ways_from(const Sheet& sheet, const std::vector<std::uint32_t>& from) {
 
 class Cutter {
  public:
-  explicit Cutter(const Sheet& sheet) : sheet_(sheet), cut_(sheet.twins.size(), false) {}
+  Cutter(const Sheet& sheet, const OpenOptions& options)
+      : sheet_(sheet),
+        folded_(options.crease < 180.0 ? creases_of(sheet, options.crease)
+                                       : std::vector<bool>(sheet.twins.size(), false)),
+        lengths_(counted_lengths(sheet, folded_, options.beside)),
+        corners_(crease_corners(sheet, folded_)),
+        corner_from_(options.corner_from),
+        cut_(sheet.twins.size(), false) {}
 
   Opened run() {
     if (!sheet_.disk()) find_cut();
@@ -75,9 +104,16 @@ class Cutter {
       v = sheet_.start(h) == v ? sheet_.end(h) : sheet_.start(h);
     }
   }
+  /// A corner of creases where one is far enough.
   [[nodiscard]] std::uint32_t farthest(std::uint32_t from) const {
-    const Ways ways = ways_from(sheet_, {from});
-    return static_cast<std::uint32_t>(std::max_element(ways.length.begin(), ways.length.end()) - ways.length.begin());
+    const Ways ways = ways_from(sheet_, lengths_, {from});
+    const auto all =
+        static_cast<std::uint32_t>(std::max_element(ways.length.begin(), ways.length.end()) - ways.length.begin());
+    std::uint32_t corner = from;
+    for (std::uint32_t v = 0; v < ways.length.size(); ++v) {
+      if (corners_[v] && ways.length[v] > ways.length[corner]) corner = v;
+    }
+    return corner != from && ways.length[corner] >= corner_from_ * ways.length[all] ? corner : all;
   }
 
   void find_cut() {
@@ -86,12 +122,12 @@ class Cutter {
     if (roots.empty()) {
       roots = {farthest(0)};
       if (sheet_.genus() == 0) {
-        const Ways ways = ways_from(sheet_, roots);
+        const Ways ways = ways_from(sheet_, lengths_, roots);
         mark_way(ways, farthest(roots[0]));
         return;
       }
     }
-    const Ways ways = ways_from(sheet_, roots);
+    const Ways ways = ways_from(sheet_, lengths_, roots);
     // Triangles joined over the sides through which the longest ways go; what is left closes the shortest ones.
     std::vector<bool> in_tree(sheet_.twins.size(), false);
     for (const HalfEdge h : ways.by) {
@@ -103,7 +139,7 @@ class Cutter {
     for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
       if (sheet_.twins[h] == no_half_edge || sheet_.twins[h] < h || in_tree[h]) continue;
       const std::uint32_t a = sheet_.start(h), b = sheet_.end(h);
-      sides.emplace_back(-(ways.length[a] + ways.length[b] + geom::distance(sheet_.points[a], sheet_.points[b])), h);
+      sides.emplace_back(-(ways.length[a] + ways.length[b] + lengths_[h]), h);
     }
     std::sort(sides.begin(), sides.end());
     base::DisjointSets joined(sheet_.triangles.size());
@@ -164,6 +200,10 @@ class Cutter {
   }
 
   const Sheet& sheet_;
+  const std::vector<bool> folded_;
+  const std::vector<double> lengths_;
+  const std::vector<bool> corners_;
+  const double corner_from_;
   std::vector<bool> cut_;
   double length_ = 0.0;
   std::size_t sides_ = 0;
@@ -229,6 +269,22 @@ Sheet quartered(const Sheet& sheet) {
   return std::move(*made);
 }
 
-Opened open(const Sheet& sheet) { return Cutter(sheet).run(); }
+std::vector<bool> creases_of(const Sheet& sheet, double degrees) {
+  const double least = std::cos(degrees * std::numbers::pi / 180.0);
+  const auto normal = [&](HalfEdge h) {
+    const auto& [a, b, c] = sheet.triangles[h / 3];
+    return cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]);
+  };
+  std::vector<bool> folded(sheet.twins.size(), false);
+  for (HalfEdge h = 0; h < sheet.twins.size(); ++h) {
+    const HalfEdge twin = sheet.twins[h];
+    if (twin == no_half_edge || twin < h) continue;
+    const geom::Vector3 m = normal(h), n = normal(twin);
+    folded[h] = folded[twin] = dot(m, n) <= least * geom::length(m) * geom::length(n);
+  }
+  return folded;
+}
+
+Opened open(const Sheet& sheet, const OpenOptions& options) { return Cutter(sheet, options).run(); }
 
 }  // namespace dobra::surf::param

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
+
+#include "shared/geom/predicates.h"
+#include "shared/mesh/quality.h"
 
 namespace dobra::surf::param {
 
@@ -18,7 +22,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 namespace {
 
 Error refused(std::string message, Point3 at) {
-  return {ErrorCode::CannotMesh, std::move(message), base::Place{.x = at.x, .y = at.y, .z = at.z}};
+  return {ErrorCode::BadMesh, std::move(message), base::Place{.x = at.x, .y = at.y, .z = at.z}};
 }
 
 /// Half-edges sorted by their ends, without direction.
@@ -186,10 +190,71 @@ Flatness flatness(const std::vector<Point3>& points, const Triangle& t, double f
   return found;
 }
 
+/// Of a polygon seen along the axis nearest to its normal, anticlockwise.
+std::vector<geom::Point> seen_along_normal(const std::vector<Point3>& points, const std::vector<std::uint32_t>& face) {
+  std::vector<Point3> corners;
+  for (const std::uint32_t corner : face) corners.push_back(points[corner]);
+  const Point3 n = dobra::mesh::newell_area(corners);
+  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  std::vector<geom::Point> flat;
+  for (const Point3 p : corners) {
+    geom::Point q{p.x, p.y};
+    bool over = n.z < 0.0;
+    if (x >= y && x >= z)
+      q = {p.y, p.z}, over = n.x < 0.0;
+    else if (y >= z)
+      q = {p.z, p.x}, over = n.y < 0.0;
+    flat.push_back(over ? geom::Point{q.y, q.x} : q);
+  }
+  return flat;
+}
+
+/// Each corner turns to the left: every diagonal is inside.
+bool turns_one_way(const std::vector<Point3>& points, const std::vector<std::uint32_t>& face) {
+  const std::vector<geom::Point> at = seen_along_normal(points, face);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (geom::orient2d(at[i], at[(i + 1) % at.size()], at[(i + 2) % at.size()]) != geom::Sign::Positive) return false;
+  }
+  return true;
+}
+
+/// The ear of greatest alpha first: a corner whose triangle turns left and has no other corner in it. Where there is
+/// none, as in polygons that cross themselves, the rest is a fan.
+void cut_by_ears(const std::vector<Point3>& points, std::vector<std::uint32_t> face, std::vector<Triangle>& triangles) {
+  std::vector<geom::Point> at = seen_along_normal(points, face);
+  const auto is_ear = [&](std::size_t i, std::size_t before, std::size_t after) {
+    const geom::Point a = at[before], b = at[i], c = at[after];
+    if (geom::orient2d(a, b, c) != geom::Sign::Positive) return false;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if (k == before || k == i || k == after) continue;
+      if (geom::orient2d(a, b, at[k]) != geom::Sign::Negative && geom::orient2d(b, c, at[k]) != geom::Sign::Negative &&
+          geom::orient2d(c, a, at[k]) != geom::Sign::Negative)
+        return false;
+    }
+    return true;
+  };
+  while (face.size() > 3) {
+    const std::size_t n = face.size();
+    std::size_t best = n;
+    double most = -1.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
+      if (!is_ear(i, before, after)) continue;
+      const double alpha = dobra::mesh::alpha_in_space(points[face[before]], points[face[i]], points[face[after]]);
+      if (alpha > most) most = alpha, best = i;
+    }
+    if (best == n) break;
+    triangles.push_back({face[(best + n - 1) % n], face[best], face[(best + 1) % n]});
+    face.erase(face.begin() + static_cast<std::ptrdiff_t>(best));
+    at.erase(at.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) triangles.push_back({face[0], face[i], face[i + 1]});
+}
+
 bool has(const Triangle& t, std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; }
 
 /// Removes the area-less triangle t: its longest side is flipped, on the border the triangle is left out.
-/// @error CannotMesh
+/// @error BadMesh
 base::Result<void> mend_one(const std::vector<Point3>& points, std::vector<Triangle>& triangles, std::size_t t,
                             HalfEdge longest, double flat) {
   const std::uint32_t a = triangles[t][longest], b = triangles[t][(longest + 1) % 3],
@@ -296,9 +361,13 @@ base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const She
   for (const auto& face : mesh.faces) {
     for (const std::uint32_t corner : face) {
       if (corner >= points.size())
-        return Error{ErrorCode::CannotMesh, fmt::format("a face names point {} of {}", corner, points.size())};
+        return Error{ErrorCode::BadMesh, fmt::format("a face names point {} of {}", corner, points.size())};
     }
     mended.cut += face.size() > 3 ? 1 : 0;
+    if (face.size() > 4 || (face.size() == 4 && !turns_one_way(points, face))) {
+      cut_by_ears(points, face, triangles);
+      continue;
+    }
     const bool other = face.size() == 4 && geom::distance(points[face[1]], points[face[3]]) <
                                                geom::distance(points[face[0]], points[face[2]]);
     for (std::size_t i = 1; i + 1 < face.size(); ++i) {
@@ -310,10 +379,10 @@ base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const She
   }
   mended.merged = merge_points(points, triangles);
   mended.dropped = drop_repeated(triangles);
-  if (triangles.empty()) return Error{ErrorCode::CannotMesh, "the mesh has no triangle"};
+  if (triangles.empty()) return Error{ErrorCode::BadMesh, "the mesh has no triangle"};
   DOBRA_TRY(mended.turned, turn_alike(points, triangles));
   DOBRA_TRY(mended.flipped, mend_flat(points, triangles, options.flat));
-  if (triangles.empty()) return Error{ErrorCode::CannotMesh, "no triangle of the mesh has an area"};
+  if (triangles.empty()) return Error{ErrorCode::BadMesh, "no triangle of the mesh has an area"};
   // Merged points are among those without a triangle.
   mended.unused = drop_unused(points, triangles) - mended.merged;
   DOBRA_TRY(made.sheet, connect(std::move(points), std::move(triangles)));

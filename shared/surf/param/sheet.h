@@ -60,7 +60,7 @@ struct SheetMade {
   Mended mended;
 };
 
-/// @error NotFinite; CannotMesh with the place {x, y, z}: no triangle, a side of three triangles, no way to turn the
+/// @error NotFinite; BadMesh with the place {x, y, z}: no triangle, a side of three triangles, no way to turn the
 ///        triangles alike, several pieces, a point in which parts meet, a triangle without area that cannot be mended.
 /// @cost  O(n log n)
 base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options = {});
@@ -70,6 +70,13 @@ base::Result<Sheet> connect(std::vector<geom::Point3> points, std::vector<std::a
 /// The same with the twins given.
 base::Result<Sheet> connect(std::vector<geom::Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles,
                             std::vector<HalfEdge> twins);
+
+struct OpenOptions {
+  double crease = 180.0;  ///< Degrees: sides at which the sheet folds by more are creases; 180: none.
+  double beside = 2.0;    ///< So many times its length counts a side that is none, where there are creases; >= 1.
+  /// The cut of a closed sheet ends where creases meet, if that is at least so far as this part of the farthest way.
+  double corner_from = 0.5;
+};
 
 /// A sheet opened to a disk.
 struct Opened {
@@ -83,9 +90,13 @@ struct Opened {
 
 /// Cut along sides so that a disk remains: of a sheet with a border from border to border, of a closed one along loops
 /// through one point, or between two points far apart where it is a sphere. Each way is the shortest of its kind, the
-/// greedy choice of the source; ways may run together. A disk stays as it is.
+/// greedy choice of the source; ways may run together. Creases are preferred by counting other sides as longer. A disk
+/// stays as it is.
 /// @cost O(n log n)
-Opened open(const Sheet& sheet);
+Opened open(const Sheet& sheet, const OpenOptions& options = {});
+
+/// One a half-edge: the sheet folds there by more than so many degrees. @cost O(n)
+std::vector<bool> creases_of(const Sheet& sheet, double degrees);
 
 /// All loops but the longest closed by a fan of triangles round their middle: points and triangles behind those of the
 /// sheet. A sheet without handles becomes a disk. @pre there is a loop  @cost O(n)

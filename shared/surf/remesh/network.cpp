@@ -37,7 +37,7 @@ class Builder {
         sizes_(sizes),
         straightest_(std::cos(corner * std::numbers::pi / 180.0)),
         stays_(charted.before.points.size(), false) {
-    find_creases(crease);
+    find_creases(charted.before, crease);
     find_stays();
   }
 
@@ -45,12 +45,16 @@ class Builder {
     made_.chart.sets = {{"", dobra::mesh::delaunay::EdgeKind::Boundary},
                         {"crease", dobra::mesh::delaunay::EdgeKind::Constraint}};
     for (const auto& vertices : sheet_.loops) {
-      for (const Chain& chain : border_chains(vertices)) add(chain, 0);
+      for (const Chain& chain : border_chains(vertices)) {
+        add(chain, 0);
+        if (cut_folded_[chain.front()] && chain.front() < opened_.across[chain.back()]) ++made_.cut_creases;
+      }
     }
     for (const Chain& chain : crease_chains()) {
       add(chain, 1);
       ++made_.creases;
     }
+    made_.creases += made_.cut_creases;
     return std::move(made_);
   }
 
@@ -63,21 +67,18 @@ class Builder {
     const Vector3 a = along(before), b = along(after);
     return dot(a, b) <= straightest_ * geom::length(a) * geom::length(b);
   }
-  [[nodiscard]] Vector3 normal(std::uint32_t t) const {
-    const auto& [a, b, c] = sheet_.triangles[t];
-    return cross(sheet_.points[b] - sheet_.points[a], sheet_.points[c] - sheet_.points[a]);
-  }
 
-  void find_creases(double degrees) {
+  /// Where the sheet folds, within and across the cut: the numbers of half-edges are those before the cut.
+  void find_creases(const Sheet& before, double degrees) {
     folded_.assign(sheet_.twins.size(), false);
+    cut_folded_.assign(sheet_.twins.size(), false);
     if (!(degrees < 180.0)) return;
-    const double least = std::cos(degrees * std::numbers::pi / 180.0);
-    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
-      const HalfEdge twin = sheet_.twins[h];
-      if (twin == no_half_edge || twin < h) continue;
-      const Vector3 m = normal(h / 3), n = normal(twin / 3);
-      if (dot(m, n) > least * geom::length(m) * geom::length(n)) continue;
-      folded_[h] = folded_[twin] = true;
+    const std::vector<bool> folded = param::creases_of(before, degrees);
+    for (HalfEdge h = 0; h < folded.size(); ++h) {
+      if (sheet_.twins[h] != no_half_edge)
+        folded_[h] = folded[h];
+      else
+        cut_folded_[h] = folded[h];
     }
   }
 
@@ -103,6 +104,8 @@ class Builder {
         const std::uint32_t v = origin(sheet_.start(after));
         on_border[sheet_.start(after)] = true;
         if (cut_before != cut_after || (!cut_before && turns(before, after))) stays_[v] = true;
+        // Where the cut leaves a crease, and where the crease that it runs along turns.
+        if (cut_folded_[before] != cut_folded_[after] || (cut_folded_[after] && turns(before, after))) stays_[v] = true;
         if (cut_after) ++cuts[v], ++cuts[origin(sheet_.end(after))];
       }
     }
@@ -264,6 +267,7 @@ class Builder {
   std::vector<bool> stays_;                                   ///< One a point before the cut.
   std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  ///< Ends of the chains so far.
   std::vector<bool> folded_;                                  ///< One a half-edge: a crease.
+  std::vector<bool> cut_folded_;                              ///< One a half-edge: a crease that was cut.
   std::map<std::uint32_t, std::uint32_t> point_, node_of_vertex_;
   std::map<HalfEdge, CutNodes>
       cut_nodes_;  ///< By the last half-edge of a chain, which is across the first of its other side.

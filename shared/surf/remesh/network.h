@@ -14,7 +14,8 @@ struct Network {
   std::vector<geom::Point3> at;
   std::vector<std::uint32_t> node;
   std::uint32_t nodes = 0;
-  std::size_t creases = 0;
+  std::size_t creases = 0;      ///< Lines kept.
+  std::size_t cut_creases = 0;  ///< Of them, those that the cut runs along: these are kept whatever `crease` is.
 };
 
 /// Along each line between vertices that stay, as many sides as the sizes ask for, even by them. Both sides of a cut

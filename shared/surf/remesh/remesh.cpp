@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -81,6 +82,25 @@ double mean_side(const Sheet& sheet) {
   return sum / static_cast<double>(sheet.twins.size());
 }
 
+double area_of(const Sheet& sheet) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : sheet.triangles)
+    sum += 0.5 * geom::length(cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]));
+  return sum;
+}
+
+/// Nothing could be filled between them.
+bool lies_in_a_line(std::span<const Point> points) {
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    for (std::size_t k = 1; k < i; ++k) {
+      if (points[k] == points[0]) continue;
+      if (geom::orient2d(points[0], points[k], points[i]) != geom::Sign::Zero) return false;
+      break;
+    }
+  }
+  return true;
+}
+
 /// One sheet at work.
 class Remesher {
  public:
@@ -97,27 +117,26 @@ class Remesher {
     DOBRA_TRY(Surface guide, guide_of(0));
     Remeshed made;
     double crease = options_.crease;
+    Point3 worst;
     if (turns_over(guide)) guide = pieces, guide_ = 1;
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
       const base::Progress part = progress.part(from, from + 1.0 / (options_.rounds + 1));
       auto mesh = fill(guide, pieces, crease, made, part);
-      while (!mesh && mesh.error().code != ErrorCode::Cancelled &&
+      while (!mesh && mesh.error().code != ErrorCode::Cancelled && mesh.error().code != ErrorCode::InvalidOption &&
              change_guide(guide, pieces, crease, made, mesh.error()))
         mesh = fill(guide, pieces, crease, made, part);
       if (!mesh) return in_space(mesh.error());
       made.mesh = std::move(*mesh);
       made.rounds = round + 1;
-      Point3 worst;
       const bool finer = judge(made, worst);
       if (!(options_.chord > 0.0) || made.deviation <= options_.chord) break;
       if (round == options_.rounds || !finer) {
         made.findings.push_back(
             {"deviation_above",
-             fmt::format(
-                 "the new mesh is {:.3g} m off, more than the chord of {:.3g} m: the old one is rough or folded "
-                 "there; give a greater chord or a smaller size",
-                 made.deviation, options_.chord),
+             fmt::format("the new mesh is {:.3g} off, more than the chord of {:.3g}: the old one is rough or folded "
+                         "there; give a greater chord or a smaller size",
+                         made.deviation, options_.chord),
              place_of(worst)});
         break;
       }
@@ -126,11 +145,12 @@ class Remesher {
     constexpr double much = 0.5;
     if (!(options_.chord > 0.0) && made.deviation > much * size_) {
       made.findings.push_back({"deviation_above",
-                               fmt::format("the new mesh is {:.3g} m off, which is much for sides of {:.3g} m: give a "
+                               fmt::format("the new mesh is {:.3g} off, which is much for sides of {:.3g}: give a "
                                            "chord, or a smaller size",
                                            made.deviation, size_),
                                {}});
     }
+    judge_area(made, worst);
     for (const auto& places : made.mesh.places)
       made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
     made.findings.insert(made.findings.begin(), charted_.findings.begin(), charted_.findings.end());
@@ -142,16 +162,18 @@ class Remesher {
   /// then smoothed copies, without creases. Tells it. @return false where nothing is left
   bool change_guide(Surface& guide, const Surface& pieces, double& crease, Remeshed& made, const Error& why) {
     const base::Place place = in_space(why).place.value_or(base::Place{});
-    if (guide_ == 0 && made.creases > 0) {
+    const bool has_creases = made.creases > made.cut_creases;
+    if (guide_ == 0 && has_creases) {
       guide = pieces;
       ++guide_;
       return true;
     }
     guide_ = std::max(guide_, std::size_t{1});
-    if (made.creases > 0 && crease < 180.0) {
-      made.findings.push_back(
-          {"crease_left_out",
-           fmt::format("{} lines at which the mesh folds are not kept: {}", made.creases, why.message), place});
+    if (has_creases && crease < 180.0) {
+      made.findings.push_back({"crease_left_out",
+                               fmt::format("not all lines at which the mesh folds are kept, left out are {}: {}",
+                                           made.creases - made.cut_creases, why.message),
+                               place});
     }
     crease = 180.0;
     if (guide_ > smoothings.size()) return false;
@@ -236,10 +258,49 @@ class Remesher {
     return sum / all;
   }
 
+  /// More triangles than the sizes can mean: what guides the mesher is folded.
+  [[nodiscard]] std::size_t far_too_many(std::size_t nodes_given) const {
+    constexpr double equilateral = 0.433, always = 1000.0, each_node = 10.0;
+    double expected = each_node * static_cast<double>(nodes_given);
+    const auto& points = charted_.before.points;
+    for (const auto& [a, b, c] : charted_.before.triangles) {
+      const double size = (sizes_[a] + sizes_[b] + sizes_[c]) / 3.0;
+      expected += 0.5 * geom::length(cross(points[b] - points[a], points[c] - points[a])) / (equilateral * size * size);
+    }
+    return static_cast<std::size_t>(std::min(1e15, options_.beyond * expected + always));
+  }
+
+  /// The vertex inside whose angles have the sum furthest from 360 degrees.
+  [[nodiscard]] Point3 sharpest() const {
+    const Sheet& sheet = charted_.before;
+    std::vector<double> sums(sheet.points.size(), 0.0);
+    for (param::HalfEdge h = 0; h < sheet.twins.size(); ++h) {
+      const Point3 p = sheet.points[sheet.start(h)];
+      const geom::Vector3 a = sheet.points[sheet.end(h)] - p;
+      const geom::Vector3 b = sheet.points[sheet.start(param::previous(h))] - p;
+      sums[sheet.start(h)] += std::atan2(geom::length(cross(a, b)), dot(a, b));
+    }
+    for (const auto& loop : sheet.loops) {
+      for (const std::uint32_t v : loop) sums[v] = 2.0 * std::numbers::pi;
+    }
+    const auto off = [](double p, double q) {
+      return std::abs(p - 2.0 * std::numbers::pi) < std::abs(q - 2.0 * std::numbers::pi);
+    };
+    return sheet.points[static_cast<std::size_t>(std::max_element(sums.begin(), sums.end(), off) - sums.begin())];
+  }
+
   Result<mesh::SurfaceMesh> fill(const Surface& smooth, const Surface& pieces, double crease, Remeshed& made,
                                  const base::Progress& progress) const {
     Network network = divide_network(charted_, sizes_, options_.corner, crease);
     made.creases = network.creases;
+    made.cut_creases = network.cut_creases;
+    if (lies_in_a_line(network.chart.points)) {
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("size {:.6g} is too large for this mesh: the lines that it is cut along would have too "
+                               "few sides; give a smaller one, such as {:.6g}",
+                               size_, 0.5 * size_),
+                   place_of(network.at[0])};
+    }
     mesh::ChartInput input{smooth, std::move(network.chart), std::move(network.at), std::move(network.node)};
     mesh::ChartMeshOptions options;
     options.sizes.largest = size_;
@@ -247,9 +308,17 @@ class Remesher {
     options.sizes.growth = options_.growth;
     options.sizes.least = options_.least * size_;
     options.sizes.wanted = [this](Point uv, Point3) { return wanted(uv); };
-    options.points.max_triangles = options_.most_triangles;
+    options.points.max_triangles = std::min(options_.most_triangles, far_too_many(input.at.size()));
     options.attempts = 1;
-    DOBRA_TRY(mesh::FaceMesh face, mesh::mesh_chart(input, options, progress));
+    auto filled = mesh::mesh_chart(input, options, progress);
+    if (!filled && filled.error().code == ErrorCode::TooManyElements &&
+        options.points.max_triangles < options_.most_triangles) {
+      return Error{ErrorCode::CannotMesh,
+                   "the mesh is so sharp here that its chart asks for far too many triangles: cut it there, or give "
+                   "another size",
+                   place_of(sharpest())};
+    }
+    DOBRA_TRY(mesh::FaceMesh face, std::move(filled));
     // Nodes inside were placed on the smooth surface; they belong on the mesh that was given.
     std::vector<Jet> jets(face.chart.points.size());
     pieces.jets(face.chart.points, jets);
@@ -259,6 +328,17 @@ class Remesher {
     division.faces.push_back(std::move(input));
     const trim::TrimmedSurface whole{pieces};
     return mesh::assemble({&whole, 1}, division, {&face, 1});
+  }
+
+  /// Tells an area that differs from that of the mesh given.
+  void judge_area(Remeshed& made, Point3 worst) const {
+    made.area_before = area_of(charted_.before);
+    if (std::abs(made.quality.area - made.area_before) <= options_.area_off * made.area_before) return;
+    made.findings.push_back({"area_off",
+                             fmt::format("the new mesh has an area of {:.6g}, the old one of {:.6g}: give a smaller "
+                                         "size, or a chord",
+                                         made.quality.area, made.area_before),
+                             place_of(worst)});
   }
 
   /// Measures the deviation, and makes sizes smaller where it is above the chord.
@@ -321,26 +401,28 @@ void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
   const auto tell = [&](std::size_t count, const char* text) {
     if (count > 0) findings.push_back({"mended", fmt::format(fmt::runtime(text), count), {}});
   };
-  tell(mended.merged, "{} points at the place of another one were joined with it");
-  tell(mended.unused, "{} points of no face were left out");
-  tell(mended.dropped, "{} triangles that are doubled or have two corners only were left out");
-  tell(mended.flipped, "{} triangles without area were mended");
-  tell(mended.turned, "{} triangles were turned the way of the first");
+  tell(mended.merged, "points joined with another one at their place: {}");
+  tell(mended.unused, "points of no face, left out: {}");
+  tell(mended.dropped, "triangles left out that are doubled or have two corners only: {}");
+  tell(mended.flipped, "triangles without area, mended: {}");
+  tell(mended.turned, "triangles turned the way of the first: {}");
 }
 
 bool keeps_holes(const Sheet& sheet) { return sheet.loops.size() > 1 && sheet.genus() == 0; }
 
-Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& options) {
-  charted.opened = param::open(charted.before);
+Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& options, double crease) {
+  charted.opened = param::open(charted.before, {.crease = crease});
   if (charted.opened.sides > 0) {
     charted.findings.push_back(
         {"cut",
-         fmt::format("the mesh has {} borders and {} handles, so it was cut open along {} sides, {:.6g} m in all",
-                     charted.before.loops.size(), charted.before.genus(), charted.opened.sides, charted.opened.length),
+         fmt::format(
+             "the mesh is no disk (borders: {}, handles: {}), so it was cut open (sides of the cut: {}, its length: "
+             "{:.6g})",
+             charted.before.loops.size(), charted.before.genus(), charted.opened.sides, charted.opened.length),
          {}});
   }
   if (!charted.opened.sheet.disk() || charted.opened.sheet.loops[0].size() < 3) {
-    return Error{ErrorCode::CannotMesh, "the mesh has too few triangles to be cut open",
+    return Error{ErrorCode::BadMesh, "the mesh has too few triangles to be cut open",
                  place_of(charted.before.points[0])};
   }
   DOBRA_TRY(charted.parametrisation, param::parametrise(charted.opened.sheet, options));
@@ -357,10 +439,10 @@ Result<void> lay_flat_with_holes(Charted& charted, const param::ParametriseOptio
   charted.opened.across.assign(charted.before.twins.size(), param::no_half_edge);
   charted.parametrisation.uv.resize(charted.before.points.size());
   std::erase_if(charted.parametrisation.flipped, [&](std::uint32_t t) { return t >= charted.before.triangles.size(); });
-  charted.findings.push_back(
-      {"holes",
-       fmt::format("{} borders stay holes in the chart, so the mesh was not cut open", charted.before.loops.size() - 1),
-       {}});
+  charted.findings.push_back({"holes",
+                              fmt::format("borders that stay holes in the chart, so that the mesh was not cut open: {}",
+                                          charted.before.loops.size() - 1),
+                              {}});
   return {};
 }
 
@@ -377,20 +459,24 @@ bool has_many_holes(const Sheet& sheet) {
   return true;
 }
 
-Result<Charted> chart_sheet(const param::SheetMade& made, const param::ParametriseOptions& options, Holes holes) {
+Result<Charted> chart_sheet(const param::SheetMade& made, const param::ParametriseOptions& options, Holes holes,
+                            double crease) {
   Charted charted{made.sheet, {}, {}, {}};
   tell_mended(made.mended, charted.findings);
   if (holes == Holes::Stay && keeps_holes(charted.before)) {
     DOBRA_TRY_VOID(lay_flat_with_holes(charted, options));
   } else {
-    DOBRA_TRY_VOID(lay_flat_cut(charted, options));
+    DOBRA_TRY_VOID(lay_flat_cut(charted, options, crease));
   }
   const param::Parametrisation& chart = charted.parametrisation;
   if (!chart.why_circle.empty())
-    charted.findings.push_back({"circle", fmt::format("the border lies on a circle: {}", chart.why_circle), {}});
+    charted.findings.push_back(
+        {"circle",
+         fmt::format("the border of the chart lies on a circle, not between corners: {}", chart.why_circle),
+         {}});
   if (!chart.flipped.empty()) {
     const auto& sheet = charted.opened.sheet;
-    charted.findings.push_back({"flipped", fmt::format("{} triangles are flipped in the chart", chart.flipped.size()),
+    charted.findings.push_back({"flipped", fmt::format("triangles flipped in the chart: {}", chart.flipped.size()),
                                 place_of(at(sheet.points, sheet.triangles[chart.flipped[0]], looks.back()))});
   }
   return charted;
@@ -399,7 +485,7 @@ Result<Charted> chart_sheet(const param::SheetMade& made, const param::Parametri
 /// One way of laying the mesh flat, and what comes of it.
 Result<Remeshed> remesh_as(const param::SheetMade& sheet, const RemeshOptions& options, double size, Holes holes,
                            const base::Progress& progress) {
-  DOBRA_TRY(Charted charted, chart_sheet(sheet, {.weights = options.weights}, holes));
+  DOBRA_TRY(Charted charted, chart_sheet(sheet, {.weights = options.weights}, holes, options.crease));
   if (!charted.parametrisation.flipped.empty()) {
     const Finding& flipped = charted.findings.back();
     return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
@@ -412,7 +498,7 @@ Result<Remeshed> remesh_as(const param::SheetMade& sheet, const RemeshOptions& o
 Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options,
                            Holes holes) {
   DOBRA_TRY(const param::SheetMade made, param::sheet_of(mesh));
-  return chart_sheet(made, options, holes);
+  return chart_sheet(made, options, holes, 180.0);
 }
 
 Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
@@ -422,7 +508,12 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   if (!(options.chord >= 0.0) || !std::isfinite(options.chord)) return wrong("chord must be a positive length, or 0");
   DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
   const double size = options.size > 0.0 ? options.size : mean_side(made.sheet);
-  while (mean_side(made.sheet) > size && made.sheet.triangles.size() < options.enough)
+  const auto is_small_and_closed = [](const Sheet& sheet) {
+    constexpr std::size_t few = 16;  // too few to be cut open, as those of a tetrahedron
+    return sheet.loops.empty() && sheet.triangles.size() < few;
+  };
+  while ((mean_side(made.sheet) > size && made.sheet.triangles.size() < options.enough) ||
+         is_small_and_closed(made.sheet))
     made.sheet = param::quartered(made.sheet);
   const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
   auto done = remesh_as(made, options, size, first, progress);

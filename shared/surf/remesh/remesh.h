@@ -23,7 +23,9 @@ struct RemeshOptions {
   double crease = 40.0;  ///< Degrees: sides at which the sheet folds by more stay lines; 180: none.
   std::size_t enough = 20'000;  ///< A mesh of fewer triangles whose sides are longer than `size` is quartered first.
   int rounds = 6;               ///< So often it is meshed anew with smaller sizes where the chord asks for it.
+  double area_off = 0.01;       ///< An area that differs by more than this part is told.
   double least = 0.02;          ///< No size below this part of `size`.
+  double beyond = 4.0;          ///< Given up at so many times the triangles that sizes and borders mean.
   std::size_t most_triangles = 20'000'000;
   param::Weights weights = param::Weights::ShapePreserving;
 };
@@ -51,16 +53,19 @@ struct Remeshed {
   mesh::SurfaceQuality quality;
   double deviation =
       0.0;  ///< Greatest distance between both meshes at vertices, and at ten places of each triangle, m.
-  std::size_t flipped = 0;  ///< Triangles turned over in the chart, exactly.
-  std::size_t creases = 0;  ///< Lines kept.
+  std::size_t flipped = 0;      ///< Triangles turned over in the chart, exactly.
+  std::size_t creases = 0;      ///< Lines kept.
+  std::size_t cut_creases = 0;  ///< Of them, those that the cut runs along.
+  double area_before = 0.0;     ///< Of the mesh given, m2.
   int rounds = 0;
-  /// Those of Charted, and "rough", "crease_left_out", "deviation_above".
+  /// Those of Charted, and "rough", "crease_left_out", "deviation_above", "area_off". No text names a unit: files of
+  /// meshes have none.
   std::vector<mesh::Finding> findings;
 };
 
 /// A sheet of many small holes keeps them in its chart, and so does one whose cut cannot be meshed; others are cut.
-/// @error those of chart_mesh; InvalidOption: sizes; CannotMesh with the place: a chart with flipped triangles; those
-/// of mesh_chart
+/// @error those of chart_mesh; InvalidOption: sizes, and one too large for the mesh; CannotMesh with the place: a chart
+/// with flipped triangles; those of mesh_chart
 base::Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options = {},
                               const base::Progress& progress = {});
 

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -11,11 +13,13 @@
 #include <set>
 
 #include "quebra/core/operations.h"
+#include "shared/io/formats/mesh_file.h"
 #include "tests/support/command_line.h"
 
 namespace quebra::cli {
 namespace {
 
+using namespace dobra;
 using Json = nlohmann::json;
 
 class CheckCommand : public dobra::test::CommandLine {
@@ -148,6 +152,65 @@ std::optional<std::pair<double, double>> place_of(const std::string& svg, const 
   if (end == std::string::npos) return std::nullopt;
   const std::string tag = svg.substr(svg.rfind("<text", end), end - svg.rfind("<text", end));
   return std::pair{std::stod(tag.substr(tag.find(" x=\"") + 4)), std::stod(tag.substr(tag.find(" y=\"") + 4))};
+}
+
+/// Four triangles round a middle that stands one above their square: a pyramid without its floor.
+mesh::ElementMesh pyramid() {
+  mesh::ElementMesh mesh;
+  mesh.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
+  mesh.first.push_back(0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::array nodes{mesh::NodeId(i), mesh::NodeId((i + 1) % 4), mesh::NodeId(4)};
+    add_element(mesh, mesh::ElementType::T3, nodes, 1);
+  }
+  return mesh;
+}
+constexpr std::array pyramid_heights{0.0, 0.0, 0.0, 0.0, 1.0};
+
+TEST_F(CheckCommand, SurfacesInSpaceAreCheckedInEveryFormatThatWeWrite) {
+  const double side = std::sqrt(3.0);  // From a corner to the middle.
+  for (const std::string& ending : io::formats::endings_for(io::formats::Use::WriteSpaceMesh)) {
+    const std::string file = path("pyramid" + ending);
+    ASSERT_TRUE(io::formats::write_mesh(file, pyramid(), io::meshes::InpElement::Shell, pyramid_heights).ok()) << file;
+    const auto told = call({"check", file, "--json"});
+    ASSERT_EQ(told.code, 0) << ending << told.out << told.err;
+    const Json json = Json::parse(told.out);
+    EXPECT_EQ(json["points"], 5) << ending;
+    EXPECT_EQ(json["faces"], 4) << ending;
+    EXPECT_EQ(json["open_edges"], 4) << ending;
+    EXPECT_EQ(json["borders"], 1) << ending;
+    EXPECT_NEAR(json["area"].get<double>(), 4.0 * std::sqrt(2.0), 1e-6) << ending;
+    EXPECT_NEAR(json["alpha_min"].get<double>(), 4.0 * std::sqrt(3.0) * std::sqrt(2.0) / (4.0 + 2.0 * side * side),
+                1e-6)
+        << ending;
+    EXPECT_EQ(call({"check", file, "--closed"}).code, 1) << ending;
+  }
+}
+
+TEST_F(CheckCommand, ATurnedElementOfASurfaceIsAFaultInEveryFormatWithItsPlace) {
+  mesh::ElementMesh mesh = pyramid();
+  std::swap(mesh.nodes[3], mesh.nodes[4]);
+  for (const std::string& ending : io::formats::endings_for(io::formats::Use::WriteSpaceMesh)) {
+    const std::string file = path("turned" + ending);
+    ASSERT_TRUE(io::formats::write_mesh(file, mesh, io::meshes::InpElement::Shell, pyramid_heights).ok()) << file;
+    const auto told = call({"check", file, "--json"});
+    EXPECT_EQ(told.code, 1) << ending << told.err;
+    const Json json = Json::parse(told.out);
+    ASSERT_EQ(json["faults"].size(), 1U) << ending;
+    EXPECT_EQ(json["faults"][0], "face 1 is turned against its neighbours (at 1.666666667, 1, 0.3333333333)") << ending;
+  }
+}
+
+TEST_F(CheckCommand, OfASurfaceOfSecondOrderTheCornersAreJudgedAndThatIsSaid) {
+  const std::string file = put("shell.inp",
+                               "*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n3, 0, 2, 1\n4, 1, 0, 0\n5, 1, 1, 0.5\n6, 0, 1, 0.5\n"
+                               "*ELEMENT, TYPE=S6, ELSET=EALL\n1, 1, 2, 3, 4, 5, 6\n");
+  const auto told = call({"check", file, "--json"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Json json = Json::parse(told.out);
+  EXPECT_EQ(json["points"], 3);
+  EXPECT_NEAR(json["area"].get<double>(), std::sqrt(5.0), 1e-14);
+  EXPECT_THAT(json["remarks"].dump(), testing::HasSubstr("mid-sides are not looked at"));
 }
 
 TEST_F(CheckCommand, NamesOfSurfacesAreListedWithAreasAndLengths) {

@@ -52,8 +52,9 @@ mesh::PolygonMesh hill() {
 TEST_F(SheetCommands, MeshesThatAreNoSheetsAreRefusedWithThePlaceAndLeaveNoFile) {
   const std::string fan = put("fan.obj", "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 -1 0\nv 1 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
   for (const char* command : {"parametrise", "remesh"}) {
-    const json refused = told({command, fan, "--out", path("out.vtu")}, 4);
+    const json refused = told({command, fan, "--out", path("out.vtu")}, 3);
     ASSERT_EQ(refused["findings"].size(), 1U);
+    EXPECT_EQ(refused["findings"][0]["code"], "bad_mesh");
     EXPECT_THAT(refused["findings"][0]["message"].get<std::string>(), HasSubstr("not manifold"));
     EXPECT_EQ(refused["findings"][0]["place"]["point"], json({1.0, 0.0, 0.0}));
     EXPECT_FALSE(std::filesystem::exists(path("out.vtu")));

@@ -105,6 +105,7 @@ TEST_F(SolidCommand, OpenInvertedAndCrossingBoundariesAreRefusedWithTheirFaces) 
 
   told = finding({put("inverted.obj", box({1, 0, 0}, {0, 1, 1})), "--unite", good}, 3);
   EXPECT_THAT(told["message"].get<std::string>(), HasSubstr("inside out"));
+  EXPECT_EQ(told["code"], "inside_out");
 
   const std::string two = box({0, 0, 0}, {2, 2, 2}) + box({1, 1, 1}, {3, 3, 3}, 9);
   told = finding({put("crossing.obj", two)}, 3);
@@ -126,7 +127,7 @@ TEST_F(SolidCommand, RepairTellsWhatItDidAndWhatItCannotMendIsRefused) {
   EXPECT_EQ(told({put("inside_out.obj", box({1, 0, 0}, {0, 1, 1})), "--repair", "0"})["volume"], 1.0);
   const std::string crossing = put("crossing.obj", box({0, 0, 0}, {2, 2, 2}) + box({1, 1, 1}, {3, 3, 3}, 9));
   EXPECT_EQ(finding({crossing, "--repair", "0"}, 3)["code"], "self_intersection");
-  EXPECT_EQ(call({"solid", file, "--repair", "-1"}).code, 3);
+  EXPECT_EQ(call({"solid", file, "--repair", "-1"}).code, 2);
 }
 
 TEST_F(SolidCommand, OctreesBoundTheVolume) {
@@ -140,7 +141,7 @@ TEST_F(SolidCommand, OctreesBoundTheVolume) {
   EXPECT_EQ(body["volume"][1], 1.0 - 2 * 16 / 512.0);
   EXPECT_EQ(body["partial"], 16);
   EXPECT_EQ(told["octree"]["clashes"].size(), 0U);
-  EXPECT_EQ(call({"solid", block, "--octree", "13"}).code, 3);
+  EXPECT_EQ(call({"solid", block, "--octree", "13"}).code, 2);
   EXPECT_EQ(this->told({block, "--subtract", block, "--octree", "2"})["octree"]["bodies"].size(), 0U);
 }
 
@@ -171,13 +172,33 @@ TEST_F(SolidCommand, FilesThatAreNoBoundariesAreRefused) {
   EXPECT_THAT(finding({put("lost.stl", lost)}, 3)["message"].get<std::string>(), HasSubstr("corners"));
 }
 
+TEST_F(SolidCommand, NoughtIsPrintedWithoutASign) {
+  const json told = this->told({put("block.obj", box({-1, -1, -1}, {1, 1, 1}))});
+  for (const char* key : {"centroid", "inertia"}) {
+    for (const json& number : told[key]) EXPECT_FALSE(std::signbit(number.get<double>())) << told;
+  }
+  EXPECT_EQ(told["inertia"].dump().find('-'), std::string::npos);
+}
+
+TEST_F(SolidCommand, TheSectionIsToldInLinesToo) {
+  const std::string block = put("block.obj", box({0, 0, 0}, {4, 4, 4}));
+  const std::string bore = put("bore.obj", box({1, 1, -1}, {2, 3, 5}));
+  const auto lines = call({"solid", block, "--subtract", bore, "--cut", "0,0,1,-2"});
+  ASSERT_EQ(lines.code, 0) << lines.err;
+  EXPECT_THAT(lines.out, testing::ContainsRegex("cut_area +14\\.0\n"));
+  EXPECT_THAT(lines.out, testing::ContainsRegex("cut_pieces +1\n"));
+  EXPECT_THAT(lines.out, testing::ContainsRegex("cut_holes +1\n"));
+  EXPECT_THAT(lines.out, testing::ContainsRegex("cut_curves +2\n"));
+  EXPECT_THAT(call({"solid", block}).out, testing::Not(HasSubstr("cut_area")));
+}
+
 TEST_F(SolidCommand, MatricesThatPlaceNothingAreRefused) {
   const std::string a = put("a.obj", box({0, 0, 0}, {1, 1, 1}));
   for (const std::string matrix : {"1,0,0,0,0,1,0,0,0,0,1,0,0,0,0", "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1,0",
                                    "1,0,0,x,0,1,0,0,0,0,1,0,0,0,0,1", "nan,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1",
                                    "1,0,0,0,0,1,0,0,0,0,1,0,0,0,1,1", "1,2,0,0,2,4,0,0,0,0,1,0,0,0,0,1", ""}) {
-    const json told = finding({a, "--unite", a, "--place", matrix}, 3);
-    EXPECT_EQ(told["code"], "bad_value") << matrix;
+    const json told = finding({a, "--unite", a, "--place", matrix}, 2);
+    EXPECT_EQ(told["code"], "bad_usage") << matrix;
     EXPECT_THAT(told["message"].get<std::string>(), HasSubstr("--place"));
   }
   EXPECT_EQ(finding({a, "--unite", a, "--place", "1e308,1e308,0,0,0,1,0,0,0,0,1,0,0,0,0,1"}, 3)["code"], "not_finite");

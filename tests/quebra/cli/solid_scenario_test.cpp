@@ -95,9 +95,9 @@ TEST_F(SolidScenario, BadShapesAndInputsAreRefused) {
 
 TEST_F(SolidScenario, PlanesThatAreNoneAreRefused) {
   const std::string file = put("a.toml", solids_head + block("a", "[0,0,0]", "[1,1,1]"));
-  EXPECT_EQ(told({file, "--cut", "0,0,1"}, 3)["findings"][0]["code"], "bad_value");
-  EXPECT_EQ(told({file, "--cut", "0,0,x,1"}, 3)["findings"][0]["code"], "bad_value");
-  EXPECT_EQ(told({file, "--cut", "0,0,0,1"}, 3)["findings"][0]["code"], "bad_value");
+  EXPECT_EQ(told({file, "--cut", "0,0,1"}, 2)["findings"][0]["code"], "bad_usage");
+  EXPECT_EQ(told({file, "--cut", "0,0,x,1"}, 2)["findings"][0]["code"], "bad_usage");
+  EXPECT_EQ(told({file, "--cut", "0,0,0,1"}, 2)["findings"][0]["code"], "bad_usage");
   EXPECT_EQ(call({"solid", file, "--cut", "0,0,1,0", "--out", path("x.obj")}).code, 2);
 }
 

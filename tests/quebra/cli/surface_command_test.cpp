@@ -32,6 +32,31 @@ class SurfaceCommand : public dobra::test::CommandLine {
   }
 };
 
+TEST_F(SurfaceCommand, GrowthThatIsLeftOutIsThatOfThePlaneOrThatOfSurfaces) {
+  const std::string hole =
+      "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"
+      "centre = [5, 5]\nradius = 0.2\n";
+  const std::string surface = put("plate.toml", plate + hole);
+  const std::string plane = put("square.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,9],[0,0]],)"
+                                                  R"([[4,4],[4,4.1],[4.1,4.1],[4.1,4],[4,4]]]})");
+  const auto elements = [&](const std::string& file, const std::string& growth) {
+    std::vector<std::string> args{"mesh", file, "--size", "1", "--json"};
+    if (!growth.empty()) args.insert(args.end(), {"--growth", growth});
+    return told(args)["elements"].get<int>();
+  };
+  EXPECT_EQ(elements(surface, ""), elements(surface, "1.17"));
+  EXPECT_NE(elements(surface, ""), elements(surface, "1.3"));
+  EXPECT_EQ(elements(plane, ""), elements(plane, "1.3"));
+  EXPECT_NE(elements(plane, ""), elements(plane, "1.17"));
+  for (const auto& operation : core::program().operations) {
+    for (const auto& field : operation.fields) {
+      if (operation.name == "mesh" && field.key == "growth") {
+        EXPECT_FALSE(field.default_value.has_value());
+      }
+    }
+  }
+}
+
 TEST_F(SurfaceCommand, TellsCountsAreasQualityAndFindings) {
   const std::string file = put("plate.toml", plate +
                                                  "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"

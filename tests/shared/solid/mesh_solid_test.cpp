@@ -56,6 +56,7 @@ TEST(FromMesh, NamesAFaceThatIsThereTwice) {
 TEST(FromMesh, RefusesWhatIsInsideOut) {
   const auto made = from_mesh(turned_over(box({0, 0, 0}, {1, 1, 1})));
   ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, ErrorCode::InsideOut);
   EXPECT_THAT(made.error().message, testing::HasSubstr("inside out"));
 }
 

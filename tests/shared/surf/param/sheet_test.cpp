@@ -21,7 +21,7 @@ base::Error refusal(const PolygonMesh& mesh) {
 TEST(Sheet, ASideOfThreeTrianglesIsRefusedWithItsPlace) {
   const base::Error error =
       refusal({{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
-  EXPECT_EQ(error.code, base::ErrorCode::CannotMesh);
+  EXPECT_EQ(error.code, base::ErrorCode::BadMesh);
   EXPECT_NE(error.message.find("not manifold"), std::string::npos) << error.message;
   ASSERT_TRUE(error.place);
   EXPECT_EQ(error.place->x, 1.0);
@@ -75,8 +75,8 @@ TEST(Sheet, CornersThatAreNoNumbersOrDoNotExistAreRefused) {
   EXPECT_EQ(refusal(mesh).code, base::ErrorCode::NotFinite);
   mesh = grid_mesh(2, 2, flat);
   mesh.faces[0][1] = 99;
-  EXPECT_EQ(refusal(mesh).code, base::ErrorCode::CannotMesh);
-  EXPECT_EQ(refusal({}).code, base::ErrorCode::CannotMesh);
+  EXPECT_EQ(refusal(mesh).code, base::ErrorCode::BadMesh);
+  EXPECT_EQ(refusal({}).code, base::ErrorCode::BadMesh);
 }
 
 TEST(Sheet, FacesThatAreTurnedDoubledOrWithoutAreaAreMendedAndCounted) {

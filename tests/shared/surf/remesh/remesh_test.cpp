@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "tests/support/sheets.h"
 
@@ -157,6 +158,133 @@ TEST(Remesh, AFoldStaysALineAndWithoutItTheMeshCutsItsEdge) {
   EXPECT_EQ(kept->creases, 3U);
   EXPECT_LT(kept->deviation, 1e-12);
   EXPECT_GT(lost->deviation, 0.01);
+}
+
+/// Outward, two triangles a side; diagonals of opposite sides cross.
+PolygonMesh cube(double side) {
+  PolygonMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                   {{0, 2, 1},
+                    {0, 3, 2},
+                    {4, 5, 6},
+                    {4, 6, 7},
+                    {0, 1, 5},
+                    {0, 5, 4},
+                    {1, 2, 6},
+                    {1, 6, 5},
+                    {2, 3, 7},
+                    {2, 7, 6},
+                    {3, 0, 4},
+                    {3, 4, 7}}};
+  for (Point3& p : mesh.points) p = Point3{} + side * (p - Point3{});
+  return mesh;
+}
+
+/// How much of the twelve edges of such a cube the sides of a mesh cover.
+double length_on_edges(const Remeshed& made, double side) {
+  const auto on_edge = [&](Point3 p, Point3 q) {
+    int same = 0;
+    for (const auto& [a, b] : {std::pair{p.x, q.x}, std::pair{p.y, q.y}, std::pair{p.z, q.z}})
+      same += a == b && (a == 0.0 || a == side) ? 1 : 0;
+    return same == 2;
+  };
+  double sum = 0.0;
+  for (const auto& corners : made.mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3 p = made.mesh.point(corners[i]), q = made.mesh.point(corners[(i + 1) % 3]);
+      if (on_edge(p, q)) sum += 0.5 * geom::distance(p, q);  // Of two triangles.
+    }
+  }
+  return sum;
+}
+
+TEST(Remesh, ACubeKeepsItsTwelveEdgesWhateverSizeDividesThem) {
+  for (const double size : {0.4, 0.7, 0.8, 1.0}) {
+    const auto made = remesh(cube(2.0), {.size = size});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    EXPECT_EQ(made->creases, 12U) << size;
+    EXPECT_NEAR(length_on_edges(*made, 2.0), 24.0, 1e-9) << size;
+    EXPECT_NEAR(made->quality.area, 24.0, 1e-9) << size;
+    EXPECT_EQ(made->quality.euler, 2) << size;
+    EXPECT_GT(made->quality.alpha_min, 0.6) << size;
+    EXPECT_LT(made->deviation, 1e-12) << size;
+    EXPECT_FALSE(told(*made, "area_off")) << size;
+  }
+}
+
+TEST(Remesh, ACubeWithASmallBoxOnItKeepsTheEdgesOfBoth) {
+  // The box stands on the middle of the ceiling: its corners alone are no good ends of a cut.
+  PolygonMesh mesh = cube(2.0);
+  mesh.faces.erase(mesh.faces.begin() + 2, mesh.faces.begin() + 4);
+  for (const double z : {2.0, 2.3}) {
+    for (const auto& [x, y] : {std::pair{0.8, 0.8}, std::pair{1.2, 0.8}, std::pair{1.2, 1.2}, std::pair{0.8, 1.2}})
+      mesh.points.push_back({x, y, z});
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t k = (i + 1) % 4;
+    mesh.faces.push_back({4 + i, 4 + k, 8 + k, 8 + i});
+    mesh.faces.push_back({8 + i, 8 + k, 12 + k, 12 + i});
+  }
+  mesh.faces.push_back({12, 13, 14, 15});
+  const auto made = remesh(mesh, {.size = 0.2});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_EQ(made->creases, 24U);
+  EXPECT_NEAR(made->quality.area, 24.0 + 4 * 0.4 * 0.3, 1e-9);
+  EXPECT_LT(made->deviation, 1e-12);
+  EXPECT_GT(made->quality.alpha_min, 0.4);
+}
+
+TEST(Remesh, AnAreaThatIsAHundredthOffIsToldAndASmallerOneIsNot) {
+  const PolygonMesh ring = test::torus_mesh(60, 30);
+  const auto coarse = remesh(ring, {.size = 0.5});
+  ASSERT_TRUE(coarse.ok()) << coarse.error().message;
+  EXPECT_LT(coarse->quality.area, 0.99 * coarse->area_before);
+  EXPECT_TRUE(told(*coarse, "area_off"));
+  const auto fine = remesh(ring, {.size = 0.15});
+  ASSERT_TRUE(fine.ok()) << fine.error().message;
+  EXPECT_GT(fine->quality.area, 0.99 * fine->area_before);
+  EXPECT_FALSE(told(*fine, "area_off"));
+}
+
+TEST(Remesh, ASizeTooLargeForTheMeshIsRefusedWithOneThatMayDo) {
+  const PolygonMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  for (const double size : {1.0, 1.4, 100.0}) {
+    const auto made = remesh(tetrahedron, {.size = size});
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, base::ErrorCode::InvalidOption) << size;
+    EXPECT_NE(made.error().message.find("is too large for this mesh"), std::string::npos) << made.error().message;
+  }
+  EXPECT_TRUE(remesh(tetrahedron, {.size = 0.5}).ok());
+}
+
+TEST(Remesh, ANeedleTooSharpForTheSizeIsRefusedAtItsTip) {
+  const auto needle = [](double height) {
+    return grid_mesh(20, 20, [height](double u, double v) {
+      return Point3{u, v, u == 0.5 && v == 0.5 ? height : 0.0};
+    });
+  };
+  const auto blunt = remesh(needle(0.2), {.size = 0.05});
+  ASSERT_TRUE(blunt.ok()) << blunt.error().message;
+  EXPECT_EQ(blunt->flipped, 0U);
+  if (std::getenv("DOBRA_LONG_REMESH") == nullptr) return;  // Half a minute with sanitizers.
+  const auto sharp = remesh(needle(3.0), {.size = 0.05});
+  ASSERT_FALSE(sharp.ok());
+  EXPECT_EQ(sharp.error().code, base::ErrorCode::CannotMesh);
+  ASSERT_TRUE(sharp.error().place && sharp.error().place->z) << sharp.error().message;
+  EXPECT_NEAR(*sharp.error().place->x, 0.5, 0.1);
+  EXPECT_NEAR(*sharp.error().place->y, 0.5, 0.1);
+}
+
+TEST(Remesh, FacesOfMoreCornersAreCutWithoutFlatTriangles) {
+  // A square with a corner in the middle of a side, and one with a notch: a fan from their first corners would fail.
+  const PolygonMesh extra{{{1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}}, {{0, 1, 2, 3, 4}}};
+  const PolygonMesh notched{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4}}};
+  for (const auto& [mesh, area] : {std::pair{extra, 4.0}, std::pair{notched, 2.5}}) {
+    const auto made = remesh(mesh, {.size = 0.3});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    EXPECT_NEAR(made->quality.area, area, 1e-9);
+    EXPECT_FALSE(told(*made, "mended"));
+  }
 }
 
 TEST(Remesh, ClosedMeshesAreCutAndStayClosed) {
