@@ -74,6 +74,8 @@ class Arranger {
   [[nodiscard]] double size_to_content(std::size_t columns) const;
   [[nodiscard]] std::size_t best_columns() const;
   void settle();
+  [[nodiscard]] bool has_bars() const;
+  void keep_bars(const Arranger& unsettled);
   [[nodiscard]] ColorBars bars(const std::vector<Scale>& scales, double plot_height) const {
     return color_bars(scales, std::clamp(plot_height, least_bar, most_bar), axis_font_, measure_);
   }
@@ -480,7 +482,31 @@ void Arranger::arrange() {
   } else if ((picture_.arrangement == Arrangement::Grid || on_paper() || window) && blocks_.size() > 1) {
     columns_ = best_columns();
   }
+  const Arranger unsettled(*this);
   settle();
+  if (unsettled.has_bars() && !has_bars()) keep_bars(unsettled);
+}
+
+bool Arranger::has_bars() const {
+  return !scales_.empty() ||
+         std::any_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return !b.bars.empty(); });
+}
+
+/// A window that has no room for colour bars in so many columns may have it in fewer.
+void Arranger::keep_bars(const Arranger& unsettled) {
+  if (options_.arrangement && *options_.arrangement == Arrangement::Row) return;
+  for (std::size_t columns = columns_ - 1; columns > 0; --columns) {
+    Arranger trial(unsettled);
+    trial.columns_ = columns;
+    trial.settle();
+    const auto [width, height] = trial.content();
+    if (!trial.has_bars() || height > page_.height + 0.5 || width > page_.width + 0.5) continue;
+    columns_ = columns;
+    blocks_ = unsettled.blocks_;
+    scales_ = unsettled.scales_;
+    legend_ = scale_bar_ = {};
+    return settle();
+  }
 }
 
 void Arranger::settle() {
