@@ -75,7 +75,8 @@ class Arranger {
   [[nodiscard]] std::size_t best_columns() const;
   void settle();
   [[nodiscard]] bool has_bars() const;
-  void keep_bars(const Arranger& unsettled);
+  [[nodiscard]] bool fits() const;
+  void choose_columns_that_fit(const Arranger& unsettled, bool lost_bars);
   [[nodiscard]] ColorBars bars(const std::vector<Scale>& scales, double plot_height) const {
     return color_bars(scales, std::clamp(plot_height, least_bar, most_bar), axis_font_, measure_);
   }
@@ -484,7 +485,8 @@ void Arranger::arrange() {
   }
   const Arranger unsettled(*this);
   settle();
-  if (unsettled.has_bars() && !has_bars()) keep_bars(unsettled);
+  const bool lost_bars = unsettled.has_bars() && !has_bars();
+  if (lost_bars || (window && !fits())) choose_columns_that_fit(unsettled, lost_bars);
 }
 
 bool Arranger::has_bars() const {
@@ -492,21 +494,31 @@ bool Arranger::has_bars() const {
          std::any_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return !b.bars.empty(); });
 }
 
-/// A window that has no room for colour bars in so many columns may have it in fewer.
-void Arranger::keep_bars(const Arranger& unsettled) {
-  if (options_.arrangement && *options_.arrangement == Arrangement::Row) return;
-  for (std::size_t columns = columns_ - 1; columns > 0; --columns) {
+bool Arranger::fits() const {
+  const auto [width, height] = content();
+  return height <= page_.height + 0.5 && width <= page_.width + 0.5;
+}
+
+/// A window that has no room for colour bars in so many columns may have it in fewer; one that is too low for so many
+/// rows may be wide enough for more columns.
+void Arranger::choose_columns_that_fit(const Arranger& unsettled, bool lost_bars) {
+  if (options_.arrangement && *options_.arrangement != Arrangement::Grid) return;
+  const bool fit = fits();
+  std::size_t best = columns_;
+  for (std::size_t columns = 1; columns <= blocks_.size(); ++columns) {
     Arranger trial(unsettled);
     trial.columns_ = columns;
     trial.settle();
-    const auto [width, height] = trial.content();
-    if (!trial.has_bars() || height > page_.height + 0.5 || width > page_.width + 0.5) continue;
-    columns_ = columns;
-    blocks_ = unsettled.blocks_;
-    scales_ = unsettled.scales_;
-    legend_ = scale_bar_ = {};
-    return settle();
+    if (!trial.fits()) continue;
+    if (lost_bars && trial.has_bars()) best = columns;
+    if (!fit && best == columns_) best = columns;
   }
+  if (best == columns_) return;
+  columns_ = best;
+  blocks_ = unsettled.blocks_;
+  scales_ = unsettled.scales_;
+  legend_ = scale_bar_ = {};
+  settle();
 }
 
 void Arranger::settle() {

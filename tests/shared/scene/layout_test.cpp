@@ -406,6 +406,19 @@ TEST(Layout, BarsOfThreePanelsStayInAWindowThatHasRoomForThemInFewerColumns) {
   }
 }
 
+/// Two rows of titles, plots and axes want some 300 points: in a low window three plots stand in one row.
+TEST(Layout, ThreePanelsStandInOneRowWhereTheWindowIsTooLowForTwo) {
+  Picture picture = sheet(3, 24.0, 16.0);
+  for (const double width : {390.0, 480.0, 640.0}) {
+    const Layout made = layout(picture, {width, 240.0}, {}, text_measure, {Plots::FillPage});
+    for (const PanelLayout& panel : made.panels) {
+      EXPECT_EQ(panel.plot.low.y, made.panels.front().plot.low.y) << width;
+      EXPECT_LT(panel.plot.high.y + 25.0, 240.0) << width;  // numbers and name of the axis
+      EXPECT_LE(panel.plot.high.x, width);
+    }
+  }
+}
+
 /// Nothing that is drawn can stand beside a plot where the window is narrower than a bar.
 TEST(Layout, BarsGoWhereTheWindowIsTooNarrowForAPlotBesideThem) {
   const Layout made = layout(sheet(3, 5.0, 5.0), {120.0, 900.0}, {}, text_measure, {Plots::FillPage});
