@@ -351,6 +351,7 @@ void add_helping_lines(const model::SurfaceSet& set, const model::SurfaceMeshed&
   arrows.lines = normals(meshed.mesh);
   add(isocurves_layer, translated("Lines of constant u and v"), isocurve_pink, 1.3, std::move(curves));
   add(normals_layer, translated("Normals"), normal_violet, 0.9, std::move(arrows));
+  if (!layers.empty() && layers.back().key == normals_layer) layers.back().in_extent = scene::space::InExtent::No;
 }
 
 /// Where something was told, with what was told.

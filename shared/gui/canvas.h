@@ -114,6 +114,8 @@ class Canvas : public QObject {
 
  private:
   class Sheet;
+  static QString text_of(const std::string& source) { return QString::fromStdString(source); }
+  static constexpr double reach = 8.0;  ///< Pixels round the cursor.
   [[nodiscard]] std::optional<canvas::Pointer> pointer_at(QPointF pixel, Qt::KeyboardModifiers keys, bool pressed);
   bool mouse(QMouseEvent& event, QEvent::Type type);
   bool key_press(int key, const QString& typed);

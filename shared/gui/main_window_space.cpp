@@ -12,6 +12,7 @@
 #include "shared/gui/labels/status_line.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
+#include "shared/gui/stage/fitting_bar.h"
 #include "shared/gui/stage/section_bar.h"
 #include "shared/gui/stage/space_widget.h"
 #include "shared/gui/text.h"
@@ -47,9 +48,8 @@ void MainWindow::make_space_view() {
   auto* column = new QVBoxLayout(space_side_);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  space_bar_ = new QToolBar(text("View in space"), space_side_);
+  space_bar_ = new stage::FittingBar(text("View in space"), space_side_);
   space_bar_->setObjectName("space_bar");
-  space_bar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   space_ = new stage::SpaceWidget(space_side_);
   space_->set_caps([this](const scene::space::CutPlane& plane) {
     auto made = section_by(plane);

@@ -55,6 +55,7 @@ class VtkSpace::Impl {
     picture_ = picture;
     picture_.layers = space::unrolled(picture);
     shown_ = space::extent(picture_);
+    reached_ = space::reach(picture_);
     const bool near = geom::distance(origin_, shown_.centre()) <= 10.0 * shown_.diagonal() && !drawn_.empty();
     if (!near) origin_ = shown_.centre();
     const bool same_light = std::exchange(light_of_, picture.light) == picture.light;
@@ -190,6 +191,7 @@ class VtkSpace::Impl {
   scene::LayoutOptions options_;
   space::SpacePicture picture_;
   geom::Box3 shown_ = space::extent(space::SpacePicture{});
+  geom::Box3 reached_ = shown_;  ///< Round what is drawn.
   space::Look look_;
   space::SpaceLayout layout_;
   int width_ = 0;
@@ -354,21 +356,21 @@ class VtkSpace::Impl {
     camera.UseExplicitProjectionTransformMatrixOn();
   }
 
-  /// Nearest and farthest of what is shown.
+  /// Nearest and farthest of what is drawn.
   [[nodiscard]] std::pair<double, double> depths(const space::Frame& frame) const {
     double near = std::numeric_limits<double>::infinity();
     double far = -near;
     for (int corner = 0; corner < 8; ++corner) {
-      const geom::Point3 at{(corner & 1) != 0 ? shown_.high.x : shown_.low.x,
-                            (corner & 2) != 0 ? shown_.high.y : shown_.low.y,
-                            (corner & 4) != 0 ? shown_.high.z : shown_.low.z};
+      const geom::Point3 at{(corner & 1) != 0 ? reached_.high.x : reached_.low.x,
+                            (corner & 2) != 0 ? reached_.high.y : reached_.low.y,
+                            (corner & 4) != 0 ? reached_.high.z : reached_.low.z};
       const auto seen = space::project(frame, at);
       const double depth = seen ? seen->depth : -(1.0 - space::least_w) / space::least_w * frame.distance;
       near = std::min(near, depth);
       far = std::max(far, depth);
     }
     // With room for what stands round it, such as the frame of a section.
-    const double room = 0.1 * std::max(far - near, std::max(shown_.diagonal(), 1e-300));
+    const double room = 0.1 * std::max(far - near, std::max(reached_.diagonal(), 1e-300));
     return {near - room, far + room};
   }
 
@@ -418,6 +420,7 @@ void VtkSpace::set_layer_visible(std::string_view key, bool visible) {
   for (space::Layer& layer : impl_->picture_.layers) {
     if (space::known_key(layer.key) == key) layer.visible = visible;
   }
+  impl_->reached_ = space::reach(impl_->picture_);
   impl_->drop();
   impl_->arrange();
 }

@@ -74,6 +74,9 @@ class Arranger {
   [[nodiscard]] double size_to_content(std::size_t columns) const;
   [[nodiscard]] std::size_t best_columns() const;
   void settle();
+  [[nodiscard]] bool has_bars() const;
+  [[nodiscard]] bool fits() const;
+  void choose_columns_that_fit(const Arranger& unsettled, bool lost_bars);
   [[nodiscard]] ColorBars bars(const std::vector<Scale>& scales, double plot_height) const {
     return color_bars(scales, std::clamp(plot_height, least_bar, most_bar), axis_font_, measure_);
   }
@@ -480,6 +483,41 @@ void Arranger::arrange() {
   } else if ((picture_.arrangement == Arrangement::Grid || on_paper() || window) && blocks_.size() > 1) {
     columns_ = best_columns();
   }
+  const Arranger unsettled(*this);
+  settle();
+  const bool lost_bars = unsettled.has_bars() && !has_bars();
+  if (lost_bars || (window && !fits())) choose_columns_that_fit(unsettled, lost_bars);
+}
+
+bool Arranger::has_bars() const {
+  return !scales_.empty() ||
+         std::any_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return !b.bars.empty(); });
+}
+
+bool Arranger::fits() const {
+  const auto [width, height] = content();
+  return height <= page_.height + 0.5 && width <= page_.width + 0.5;
+}
+
+/// A window that has no room for colour bars in so many columns may have it in fewer; one that is too low for so many
+/// rows may be wide enough for more columns.
+void Arranger::choose_columns_that_fit(const Arranger& unsettled, bool lost_bars) {
+  if (options_.arrangement && *options_.arrangement != Arrangement::Grid) return;
+  const bool fit = fits();
+  std::size_t best = columns_;
+  for (std::size_t columns = 1; columns <= blocks_.size(); ++columns) {
+    Arranger trial(unsettled);
+    trial.columns_ = columns;
+    trial.settle();
+    if (!trial.fits()) continue;
+    if (lost_bars && trial.has_bars()) best = columns;
+    if (!fit && best == columns_) best = columns;
+  }
+  if (best == columns_) return;
+  columns_ = best;
+  blocks_ = unsettled.blocks_;
+  scales_ = unsettled.scales_;
+  legend_ = scale_bar_ = {};
   settle();
 }
 

@@ -160,6 +160,7 @@ class Hanger {
     made_.style.pattern = Pattern::None;
     made_.visible = curtain.visible && layer.visible;
     made_.in_legend = curtain.in_legend == InLegend::Yes ? layer.in_legend : InLegend::No;
+    made_.in_extent = curtain.in_extent;
     made_.legend = layer.legend;
   }
 

@@ -151,7 +151,7 @@ std::optional<TriangleTree::Hit> TriangleTree::first_hit(const Ray& ray) const {
   return best;
 }
 
-Picker::Picker(const SpacePicture& picture) : layers_(unrolled(picture)), extent_(extent(picture)) {
+Picker::Picker(const SpacePicture& picture) : layers_(unrolled(picture)), extent_(reach(picture)) {
   for (const Layer& layer : layers_) {
     const auto* surface = std::get_if<Surface>(&layer.content);
     trees_.push_back(surface != nullptr ? std::make_shared<const TriangleTree>(*surface) : nullptr);

@@ -69,14 +69,26 @@ Box3 extent(const Layer& layer) {
 Box3 extent(const SpacePicture& picture) {
   if (picture.extent) return *picture.extent;
   Box3 visible;
+  Box3 counted;
   Box3 all;
   for (const Layer& layer : picture.layers) {
     const Box3 box = extent(layer);
     all.add(box);
+    if (layer.in_extent == InExtent::No) continue;
+    counted.add(box);
     if (layer.visible) visible.add(box);
   }
   if (!visible.empty()) return visible;
+  if (!counted.empty()) return counted;
   return all.empty() ? Box3{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}} : all;
+}
+
+Box3 reach(const SpacePicture& picture) {
+  Box3 box = extent(picture);
+  for (const Layer& layer : picture.layers) {
+    if (layer.visible) box.add(extent(layer));
+  }
+  return box;
 }
 
 std::vector<Layer> unrolled(const SpacePicture& picture) {

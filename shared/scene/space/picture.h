@@ -67,6 +67,9 @@ struct Curtain {
   Panel section{};
 };
 
+/// No: it helps to see what is there and is none of it, such as arrows on a surface; fit and the box go without it.
+enum class InExtent { Yes, No };
+
 struct Layer {
   std::string key{};    ///< Stable, unique. Visibility and picks refer to it.
   std::string title{};  ///< As shown in the tree of layers and the legend; translated.
@@ -76,6 +79,7 @@ struct Layer {
   InLegend in_legend = InLegend::Yes;
   std::string legend{};                            ///< What the legend calls it; empty: title.
   base::Shared<std::vector<std::string>> names{};  ///< What its items are called, by their identities; empty: numbers.
+  InExtent in_extent = InExtent::Yes;
 };
 
 /// Goes with the viewer. A face that it falls on squarely has its own colour, one that it does not reach `ambient` of
@@ -118,9 +122,12 @@ std::uint32_t id_of(const Ids& ids, std::size_t item) {
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing. @cost O(points)
 geom::Box3 extent(const Layer& layer);
 
-/// Its `extent` where given, else that of the visible layers; if there is nothing in them, of all; a cube of 1 m where
-/// that is nothing too.
+/// Its `extent` where given, else that of the visible layers that count (InExtent); if there is nothing in them, of all
+/// that count, then of all; a cube of 1 m where that is nothing too.
 geom::Box3 extent(const SpacePicture& picture);
+
+/// Round everything that is visible too. @cost as extent
+geom::Box3 reach(const SpacePicture& picture);
 
 /// The layer with its curtain as lines, surfaces, markers and labels in space: as many layers as its section has, with
 /// keys "LAYER/SECTION_LAYER"; any other layer alone, as it is. An image becomes a surface of as many cells as it has

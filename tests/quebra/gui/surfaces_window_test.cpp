@@ -366,6 +366,11 @@ TEST(SurfacesWindow, ColoursAndHelpingLinesAreSwitched) {
     EXPECT_TRUE(window.layer(name)->visible) << name;
     EXPECT_TRUE(window->actions().find(std::string("view.space.show.") + name)->isChecked()) << name;
   }
+  // The box is that of the body, whatever arrows stand on it.
+  const geom::Box3 with_arrows = scene::space::extent(window.space().picture());
+  ASSERT_TRUE(window->actions().trigger("view.space.show.normals"));
+  EXPECT_EQ(scene::space::extent(window.space().picture()), with_arrows);
+  ASSERT_TRUE(window->actions().trigger("view.space.show.normals"));
   // What is switched on stays so when the document is run again.
   window->session().run();
   window.settle();
@@ -377,6 +382,27 @@ TEST(SurfacesWindow, ColoursAndHelpingLinesAreSwitched) {
   ASSERT_NE(bar, nullptr);
   EXPECT_TRUE(bar->isVisible());
   EXPECT_GE(bar->actions().size(), 5);
+}
+
+TEST(SurfacesWindow, NoButtonLiesBehindTheArrowOfTheBarInASmallWindow) {
+  SurfaceWindow window;
+  window.open_text(patch);
+  const auto* bar = window->findChild<QToolBar*>("space_bar");
+  ASSERT_NE(bar, nullptr);
+  for (const QSize size : {QSize(1000, 700), QSize(1900, 1100), QSize(1000, 700)}) {
+    window->resize(size);
+    window.settle();
+    int right = -1;
+    for (QAction* action : bar->actions()) {
+      const QWidget* button = bar->widgetForAction(action);
+      ASSERT_TRUE(button != nullptr && button->isVisible()) << action->text().toStdString();
+      EXPECT_GT(button->x(), right);  // beside the one before it
+      right = button->x() + button->width() - 1;
+      EXPECT_LT(right, bar->width());
+      EXPECT_FALSE(action->icon().isNull());
+      EXPECT_FALSE(action->toolTip().isEmpty());
+    }
+  }
 }
 
 TEST(SurfacesWindow, GUI_b_ACrackDrawnInTheChartIsATrimAndTheMeshOpensIt) {

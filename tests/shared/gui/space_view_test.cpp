@@ -313,6 +313,52 @@ TEST_F(SpaceView, GUI_b_AMarkerIsDraggedInThePlaneOfTheScreen) {
   EXPECT_EQ(steps.back().to, head);
 }
 
+TEST_F(SpaceView, HeightsAreStretchedInTheViewAloneAndClicksAndDragsAreInTrueCoordinates) {
+  std::vector<ItemAt> items;
+  std::vector<geom::Point3> places;
+  gui::WindowPart part;
+  part.space.clicked = [&items](const gui::Desk&, const ItemAt& item) { items.push_back(item); };
+  part.space.draggable = {"heads"};
+  part.space.dragged = [&places](const gui::Desk&, MarkerDrag, const ItemAt&, const geom::Point3& to) {
+    places.push_back(to);
+  };
+  make(12, part);
+  space().look_from(StandardView::Front);
+  const geom::Point3 low{500.0, 500.0, 0.0};
+  const geom::Point3 high{500.0, 500.0, 700.0};
+  const auto steepness = [&] {
+    const QPointF up = *space().pixel_of(high) - *space().pixel_of(low);
+    const QPointF across = *space().pixel_of({1500.0, 500.0, 0.0}) - *space().pixel_of(low);
+    return (-up.y() / 700.0) / (across.x() / 1000.0);
+  };
+  EXPECT_NEAR(steepness(), 1.5, 1e-6);  // as the picture asks for
+  const auto drawn = std::get<scene::space::Surface>(space().shown().layers.front().content);
+  const geom::Box3 box = scene::space::extent(space().shown());
+  ASSERT_TRUE(window->actions().trigger("view.exaggeration.2"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return space().is_settled(); }, 10000));
+  EXPECT_NEAR(steepness(), 3.0, 1e-6);
+  // Nothing of the model is another.
+  EXPECT_EQ(std::get<scene::space::Surface>(space().shown().layers.front().content), drawn);
+  EXPECT_EQ(scene::space::extent(space().shown()), box);
+  const double pixel = 1000.0 / (space().pixel_of({1500.0, 500.0, 0.0})->x() - space().pixel_of(low)->x());
+  drag(space(), Qt::LeftButton, *space().pixel_of(high), *space().pixel_of({900.0, 500.0, 400.0}));
+  ASSERT_FALSE(places.empty());
+  EXPECT_NEAR(places.back().x, 900.0, 2.0 * pixel);
+  EXPECT_NEAR(places.back().z, 400.0, 2.0 * pixel);
+  // The height of a place that is clicked is that of the surface there.
+  items.clear();
+  space().look_from(StandardView::Isometric);
+  const QPointF at = *space().pixel_of({3100.0, 700.0, 0.0});
+  QTest::mouseClick(&space(), Qt::LeftButton, {}, at.toPoint());
+  ASSERT_EQ(items.size(), 1U);
+  ASSERT_EQ(items[0].pick.layer, "top");
+  ASSERT_TRUE(items[0].place);
+  const auto& corners = drawn.triangles[items[0].pick.id];
+  const geom::Point3 a = drawn.points[corners[0]], b = drawn.points[corners[1]], c = drawn.points[corners[2]];
+  const geom::Vector3 normal = geom::cross(b - a, c - a);
+  EXPECT_NEAR(geom::dot(*items[0].place - a, normal) / geom::length(normal), 0.0, 1e-6);
+}
+
 /// With the section plane in the middle, square to x.
 class SectionInSpace : public SpaceView {
  protected:

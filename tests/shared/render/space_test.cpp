@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "shared/render/space_file.h"
@@ -77,6 +78,88 @@ TEST(SpaceFile, ASquareStandsWhereTheDisplayListSays) {
     EXPECT_LT(middle[1], 20.0);
     EXPECT_GT(pixels.at(14, 14)[1], 200.0);
   }
+}
+
+/// Draws with both, one after the other, and looks at what came out.
+void see_both(const scene::space::SpacePicture& picture, const std::function<void(const test::Pixels&)>& look) {
+  SpaceFileOptions options;
+  options.pixels_per_point = 1.0;
+  options.page = scene::PageSize{300.0, 300.0};
+  ASSERT_TRUE(write_picture(picture, file("seen.png"), options));
+  look(test::read_png(file("seen.png")));
+  ASSERT_TRUE(write_png_vtk(picture, file("seen.png"), options));
+  look(test::read_png(file("seen.png")));
+}
+
+TEST(SpaceFile, AFaceThatTheLightDoesNotReachHasAThirdOfItsColour) {
+  scene::space::SpacePicture picture;
+  picture.layers = {test::colored_square({240, 0, 0})};
+  picture.axes.box = scene::space::AxesBox::Hidden;
+  picture.light.ambient = 1.0 / 3.0;
+  for (const auto& [from, red] :
+       {std::pair{geom::Vector3{0.0, 0.0, 1.0}, 240.0}, {geom::Vector3{1.0, 0.0, 0.0}, 80.0}}) {
+    picture.light.from = from;
+    see_both(picture, [&, red = red](const test::Pixels& pixels) {
+      EXPECT_NEAR(pixels.at(pixels.width / 2, pixels.height / 2)[0], red, 8.0);
+    });
+  }
+}
+
+TEST(SpaceFile, ACurtainHangsWhereItsTraceIs) {
+  scene::Layer unit;
+  unit.key = "unit";
+  unit.style.fill = scene::Color{0, 200, 0};
+  unit.style.line_width = 0.0;
+  unit.content = scene::Regions{{{{{{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}}, true}}}}, {}};
+  scene::space::Curtain curtain{{{10.0, 5.0}, {14.0, 5.0}}, 0.0, {}};
+  curtain.section.layers = {unit};
+  scene::space::Layer layer;
+  layer.key = "section";
+  layer.content = curtain;
+  scene::space::SpacePicture picture;
+  picture.layers = {layer};
+  picture.axes.box = scene::space::AxesBox::Hidden;
+  picture.light.ambient = 1.0;
+  see_both(picture, [](const test::Pixels& pixels) {
+    const auto middle = pixels.at(pixels.width / 2, pixels.height / 2);
+    EXPECT_GT(middle[1], 180.0);
+    EXPECT_LT(middle[0], 30.0);
+  });
+  picture.layers.front().visible = false;
+  picture.extent = geom::Box3{{10.0, 5.0, 0.0}, {14.0, 5.0, 4.0}};
+  see_both(picture,
+           [](const test::Pixels& pixels) { EXPECT_GT(pixels.at(pixels.width / 2, pixels.height / 2)[0], 200.0); });
+}
+
+TEST(SpaceFile, ALabelStandsAtItsPlace) {
+  scene::space::SpacePicture picture;
+  picture.layers = {test::colored_square({250, 250, 250})};
+  picture.layers.front().in_legend = scene::InLegend::No;  // the plot is in the middle of the page
+  picture.axes.box = scene::space::AxesBox::Hidden;
+  picture.light.ambient = 1.0;
+  picture.extent = scene::space::extent(picture);
+  // Dark pixels in the middle of the page.
+  std::size_t dark = 0;
+  const auto count = [&dark](const test::Pixels& pixels) {
+    dark = 0;
+    for (int y = pixels.height / 2 - 30; y < pixels.height / 2 + 30; ++y) {
+      for (int x = pixels.width / 2 - 30; x < pixels.width / 2 + 30; ++x) dark += pixels.at(x, y)[0] < 120.0 ? 1 : 0;
+    }
+  };
+  see_both(picture, [&](const test::Pixels& pixels) {
+    count(pixels);
+    EXPECT_EQ(dark, 0U);
+  });
+  scene::space::Layer words;
+  words.key = "words";
+  words.in_legend = scene::InLegend::No;
+  words.style.line = {0, 0, 0};
+  words.content = scene::space::Labels{{{scene::space::extent(picture).centre(), "MMMM", scene::Anchor::Centre}}};
+  picture.layers.push_back(words);
+  see_both(picture, [&](const test::Pixels& pixels) {
+    count(pixels);
+    EXPECT_GT(dark, 20U);
+  });
 }
 
 TEST(SpaceFile, ADarkGroundIsDarkAndItsWordsAreLight) {

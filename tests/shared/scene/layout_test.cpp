@@ -390,6 +390,42 @@ TEST(Layout, ABarOfOnePanelStandsBesideThatPanel) {
   }
 }
 
+/// A bar with its numbers is some 110 points wide, the numbers of an axis 50: a row of the page has room for one plot
+/// with them from 230 points on, and rows of 180 are high enough.
+TEST(Layout, BarsOfThreePanelsStayInAWindowThatHasRoomForThemInFewerColumns) {
+  for (const double width : {260.0, 320.0, 390.0, 460.0, 560.0, 700.0, 900.0}) {
+    for (const double height : {640.0, 800.0, 1100.0}) {
+      for (const auto& [wide, high] : {std::pair{1.0, 3.0}, std::pair{5.0, 5.0}, std::pair{10.0, 4.0}}) {
+        const Layout made = layout(sheet(3, wide, high), {width, height}, {}, text_measure, {Plots::FillPage});
+        const auto bars = std::count_if(made.marks.begin(), made.marks.end(),
+                                        [](const Mark& mark) { return std::holds_alternative<GradientMark>(mark); });
+        EXPECT_EQ(bars, 3) << width << " x " << height << ", panels of " << wide << " x " << high;
+        expect_tidy(made, std::to_string(width) + " x " + std::to_string(height));
+      }
+    }
+  }
+}
+
+/// Two rows of titles, plots and axes want some 300 points: in a low window three plots stand in one row.
+TEST(Layout, ThreePanelsStandInOneRowWhereTheWindowIsTooLowForTwo) {
+  Picture picture = sheet(3, 24.0, 16.0);
+  for (const double width : {390.0, 480.0, 640.0}) {
+    const Layout made = layout(picture, {width, 240.0}, {}, text_measure, {Plots::FillPage});
+    for (const PanelLayout& panel : made.panels) {
+      EXPECT_EQ(panel.plot.low.y, made.panels.front().plot.low.y) << width;
+      EXPECT_LT(panel.plot.high.y + 25.0, 240.0) << width;  // numbers and name of the axis
+      EXPECT_LE(panel.plot.high.x, width);
+    }
+  }
+}
+
+/// Nothing that is drawn can stand beside a plot where the window is narrower than a bar.
+TEST(Layout, BarsGoWhereTheWindowIsTooNarrowForAPlotBesideThem) {
+  const Layout made = layout(sheet(3, 5.0, 5.0), {120.0, 900.0}, {}, text_measure, {Plots::FillPage});
+  EXPECT_TRUE(std::none_of(made.marks.begin(), made.marks.end(),
+                           [](const Mark& mark) { return std::holds_alternative<GradientMark>(mark); }));
+}
+
 TEST(Layout, PanelsOfAGridStayWhereTheyAreWhileAViewMoves) {
   const Picture picture = sheet(3, 10.0, 4.0);
   const Layout whole = layout(picture, {1200.0, 800.0}, {}, text_measure, {Plots::FillPage});

@@ -126,6 +126,29 @@ TEST(Display, AFaceThatTurnsAwayFromTheLightIsDarker) {
   EXPECT_EQ(shaded({200, 100, 50}, normal_to_viewer(frame, slanted), light), (Color{140, 70, 35}));
 }
 
+TEST(Display, ArrowsOnASurfaceDoNotMakeWhatIsShownLarger) {
+  SpacePicture picture = with({square("body", 0.0, {200, 0, 0})});
+  Layer arrows;
+  arrows.key = "arrows";
+  arrows.content = Lines{{{{0.0, 0.0, 0.0}, {0.0, -7.0, 0.0}}}};
+  arrows.in_extent = InExtent::No;
+  picture.layers.push_back(arrows);
+  const geom::Box3 body{{-1.0, 0.0, -1.0}, {1.0, 0.0, 1.0}};
+  const geom::Box3 both{{-1.0, -7.0, -1.0}, {1.0, 0.0, 1.0}};
+  EXPECT_EQ(extent(picture), body);
+  EXPECT_EQ(reach(picture), both);
+  picture.layers.back().visible = false;
+  EXPECT_EQ(extent(picture), body);
+  EXPECT_EQ(reach(picture), body);
+  picture.layers.back().visible = true;
+  picture.layers.front().visible = false;  // arrows alone stand where the body does
+  EXPECT_EQ(extent(picture), body);
+  picture.layers.erase(picture.layers.begin());
+  EXPECT_EQ(extent(picture), (geom::Box3{{0.0, -7.0, 0.0}, {0.0, 0.0, 0.0}}));
+  picture.layers.front().in_extent = InExtent::Yes;  // they count unless somebody says otherwise
+  EXPECT_EQ(extent(picture), (geom::Box3{{0.0, -7.0, 0.0}, {0.0, 0.0, 0.0}}));
+}
+
 TEST(Display, ExaggerationStretchesHeightsOfTheViewAlone) {
   SpacePicture picture = with({square("face", 0.0, {0, 255, 0})});
   picture.vertical_exaggeration = 3.0;

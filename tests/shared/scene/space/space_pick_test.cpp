@@ -125,6 +125,37 @@ TEST(SpacePick, AMarkerIsFoundBeforeTheSurfaceThatItLiesOnButNotThroughIt) {
   EXPECT_EQ(behind->pick, (scene::Pick{"face", 5}));
 }
 
+/// A curtain round a corner, stretched fourfold by the view: its second leg goes north at x = 103.
+TEST(SpacePick, OnACurtainItTellsTheItemOfTheSectionAndThePlaceInTrueHeights) {
+  scene::Layer horizon;
+  horizon.key = "horizon";
+  horizon.content = scene::Lines{{{{{0.0, -10.0}, {9.0, -10.0}}, false}}, {42}};
+  scene::Layer unit;
+  unit.key = "unit";
+  unit.style.fill = Color{10, 20, 30};
+  unit.content = Regions{{{{{{{0.0, -9.0}, {9.0, -9.0}, {9.0, 0.0}, {0.0, 0.0}}, true}}}}, {7}};
+  Curtain curtain{{{100.0, 200.0}, {103.0, 200.0}, {103.0, 206.0}}, 0.0, {}};
+  curtain.section.layers = {horizon, unit};
+  SpacePicture picture;
+  picture.layers = {layer_of("section", curtain)};
+  picture.vertical_exaggeration = 4.0;
+  const Picker picker(picture);
+  for (const StandardView view : {StandardView::Right, StandardView::Isometric, StandardView::Cavalier,
+                                  StandardView::Cabinet, StandardView::Perspective}) {
+    const Sheet sheet = sheet_of(picture, view);
+    const Point3 in_unit{103.0, 203.0, -4.5};
+    const auto area = picker.pick(sheet, project(sheet, in_unit)->at, 1.0);
+    ASSERT_TRUE(area) << static_cast<int>(view);
+    EXPECT_EQ(area->pick, (scene::Pick{"section/unit", 7}));
+    EXPECT_NEAR(geom::distance(area->place, in_unit), 0.0, 1e-9);
+    const Point3 on_horizon{103.0, 204.0, -10.0};
+    const auto line = picker.pick(sheet, project(sheet, on_horizon)->at, 1.0);
+    ASSERT_TRUE(line) << static_cast<int>(view);
+    EXPECT_EQ(line->pick, (scene::Pick{"section/horizon", 42}));
+    EXPECT_NEAR(geom::distance(line->place, on_horizon), 0.0, 1e-9);
+  }
+}
+
 TEST(SpacePick, AHiddenLayerIsNotFound) {
   SpacePicture picture;
   picture.layers = {layer_of("waves", waves(4))};
