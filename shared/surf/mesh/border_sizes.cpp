@@ -19,6 +19,20 @@ using geom::Point3;
 using geom::Vector3;
 using trim::TrimmedSurface;
 
+namespace {
+
+bool is_point(const Border& border, const Piece& piece) {
+  const BorderEdge& edge = border.edges[piece.edge];
+  if (edge.point) return true;
+  if (border.node_of[piece.from] != border.node_of[piece.to]) return false;
+  const bool all_of_it = edge.cuts.size() == 2 && edge.cuts[0].vertex == piece.from && !edge.line &&
+                         border.point_of[piece.from] == border.point_of[piece.to];
+  constexpr double there_and_back = 2.0;
+  return !all_of_it && edge.space.length(piece.s0, piece.s1) <= there_and_back * edge.tolerance;
+}
+
+}  // namespace
+
 std::vector<Piece> pieces_of(const Border& border) {
   std::vector<Piece> pieces;
   std::vector<std::size_t> first_of_edge;
@@ -32,6 +46,7 @@ std::vector<Piece> pieces_of(const Border& border) {
                         .from = cuts[i].vertex,
                         .to = cuts[i + 1].vertex,
                         .first = pieces.size()});
+      pieces.back().point = is_point(border, pieces.back());
     }
   }
   for (const SharedGroup& group : border.groups) {
@@ -42,6 +57,7 @@ std::vector<Piece> pieces_of(const Border& border) {
         Piece& piece = pieces[first_of_edge[group[k]] + i];
         piece.first = first_of_edge[group[0]] + (along ? i : count - 1 - i);
         piece.along = along;
+        piece.point = pieces[piece.first].point;
       }
     }
   }
@@ -368,7 +384,7 @@ std::vector<Profile> sizes_along(const Border& border, const std::vector<Piece>&
   std::vector<std::vector<std::size_t>> of_face(surfaces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const BorderEdge& edge = border.edges[pieces[p].edge];
-    if (edge.point) continue;
+    if (pieces[p].point) continue;
     profiles[p] = wishes_of(edge, pieces[p], sizes, largest[edge.face]);
     of_face[edge.face].push_back(p);
   }
