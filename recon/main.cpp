@@ -1,9 +1,12 @@
 // recon: the window without a sub-command, or with a file alone; the command line with a sub-command.
 
+#include "recon/cli/block_commands.h"
 #include "recon/cli/fault_commands.h"
 #include "recon/cli/inversion_commands.h"
 #include "recon/cli/move_commands.h"
 #include "recon/cli/section_commands.h"
+#include "recon/cli/solid_command.h"
+#include "recon/cli/space_commands.h"
 #include "recon/core/operations.h"
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"
@@ -32,5 +35,6 @@ int main(int argc, char** argv) {
       recon::core::program(), argc, argv, window,
       {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
        recon::cli::faults_command(), recon::cli::move_command(), recon::cli::invert_command(),
-       recon::cli::predict_command(), dobra::cli::convert_command()});
+       recon::cli::predict_command(), recon::cli::block_command(), recon::cli::solid_command(),
+       recon::cli::surface_command(), recon::cli::cut_command(), dobra::cli::convert_command()});
 }

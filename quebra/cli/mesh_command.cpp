@@ -12,10 +12,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
-#include "quebra/cli/surface_report.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/surface_layers.h"
@@ -24,6 +24,7 @@
 #include "quebra/model/mesh_files.h"
 #include "quebra/model/model.h"
 #include "shared/base/text.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/remarks.h"
 #include "shared/cli/staging.h"
@@ -145,27 +146,36 @@ struct Figures {
   std::size_t peak_memory = 0;  ///< Bytes.
 };
 
+constexpr std::array counts{"work.steps",     "work.triangles", "work.front", "elements",
+                            "quadrilaterals", "nodes",          "tips"};
+constexpr std::array measures{"area",         "area_surface",    "alpha_mean",    "alpha_90",
+                              "alpha_min",    "min_angle",       "max_angle",     "gradation_p95",
+                              "jacobian_min", "quad_shape_mean", "quad_shape_min"};
+
+bool is_one(std::span<const char* const> names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 Figures figures_of(const scenario::Program& program, const scenario::State& state) {
-  constexpr std::array wanted{
-      "work.steps", "work.triangles", "work.front",    "elements",     "quadrilaterals",  "nodes",
-      "tips",       "area",           "area_surface",  "alpha_mean",   "alpha_90",        "alpha_min",
-      "min_angle",  "max_angle",      "gradation_p95", "jacobian_min", "quad_shape_mean", "quad_shape_min"};
   Figures figures;
   const bool at_work = scenario::model_of<model::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
     if (at_work != quantity.name.starts_with("work.")) continue;
-    if (std::find(wanted.begin(), wanted.end(), quantity.name) != wanted.end()) figures.values.push_back(quantity);
+    if (is_one(counts, quantity.name) || is_one(measures, quantity.name)) figures.values.push_back(quantity);
   }
   return figures;
 }
 
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
-
-std::string json_text(const Figures& figures, const std::vector<std::string>& remarks, const model::Model& model) {
+nlohmann::ordered_json json_of(const Figures& figures, const std::vector<std::string>& remarks,
+                               const model::Model& model) {
   nlohmann::ordered_json json;
-  for (const auto& quantity : figures.values) json[quantity.name] = quantity.value;
+  for (const auto& [name, value, unit] : figures.values) {
+    if (is_one(counts, name)) {
+      json[name] = static_cast<std::int64_t>(value);
+    } else {
+      json[name] = value;
+    }
+  }
   double total = 0.0;
   for (const auto& [phase, seconds] : figures.seconds) {
     json["seconds"][phase] = seconds;
@@ -173,9 +183,9 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
   }
   json["seconds"]["total"] = total;
   json["peak_memory"] = figures.peak_memory;
-  if (model.surfaces) json["findings"] = findings_json(core::findings_of(model), model.units);
+  if (model.surfaces) json["findings"] = dobra::cli::findings_json(core::findings_of(model), model.units);
   json["remarks"] = remarks;
-  return text_of(json);
+  return json;
 }
 
 std::string table_text(const Figures& figures) {
@@ -193,13 +203,8 @@ Result<void> write_last(const std::string& path, const model::Model& model) {
 }
 
 Result<void> write_out(Session& session, const std::filesystem::path& out, const model::Model& model) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = write_last(staging.path(out.filename().string()).string(), model); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
+  return dobra::cli::write_whole(session, out,
+                                 [&](const std::filesystem::path& path) { return write_last(path.string(), model); });
 }
 
 /// Whether the document is about surfaces in space.
@@ -282,7 +287,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, remarks, model)));
+    DOBRA_TRY_VOID(dobra::cli::print_json(json_of(figures, remarks, model)));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(table_text(figures)));
   }
@@ -290,7 +295,7 @@ Result<int> mesh_job(Session& session, const MeshOptions& options) {
 }
 
 /// A refusal of bad surfaces, or of what cannot be meshed of them, as JSON too.
-Result<void> tell_refusal(Session& session, const MeshOptions& options, const Error& error) {
+Result<void> tell_mesh_refusal(Session& session, const MeshOptions& options, const Error& error) {
   const int code = base::exit_code(error.code);
   if (session.options.format != dobra::cli::OutputFormat::Json || (code != 3 && code != 4)) return {};
   const std::filesystem::path& file = options.input.scenario.file;
@@ -303,10 +308,10 @@ Result<void> tell_refusal(Session& session, const MeshOptions& options, const Er
   }
   const bool told = std::any_of(findings.begin(), findings.end(),
                                 [&](const auto& finding) { return finding.message == error.message; });
-  if (!told) findings.push_back(finding_of(error));
+  if (!told) findings.push_back(dobra::cli::finding_of(error));
   nlohmann::ordered_json json;
-  json["findings"] = findings_json(findings, {});
-  return dobra::cli::print(text_of(json));
+  json["findings"] = dobra::cli::findings_json(findings, {});
+  return dobra::cli::print_json(json);
 }
 
 }  // namespace
@@ -347,7 +352,7 @@ Command mesh_command() {
                 ->type_name("FILE.svg|pdf|png");
             return [options](Session& session) -> Result<int> {
               auto done = mesh_job(session, *options);
-              if (!done) DOBRA_TRY_VOID(tell_refusal(session, *options, done.error()));
+              if (!done) DOBRA_TRY_VOID(tell_mesh_refusal(session, *options, done.error()));
               return done;
             };
           }};

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -11,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "quebra/cli/surface_report.h"
+#include "shared/cli/findings.h"
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
@@ -43,46 +44,27 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Writes a file whole or not at all. @param write  to the path that it is given
-Result<void> write_staged(Session& session, const Path& out,
-                          const std::function<Result<void>(const std::string&)>& write) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = write(staging.path(out.filename().string()).string()); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
-}
-
-Result<void> print_sheet_json(const Json& json) {
-  return dobra::cli::print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-}
-
-/// All of it as JSON, or its numbers as a table and its findings as notes.
-Result<void> tell_sheet(Session& session, const Json& json, const std::vector<surf::mesh::Finding>& findings) {
-  if (session.options.format == dobra::cli::OutputFormat::Json) return print_sheet_json(json);
-  for (const auto& finding : findings) session.note(finding.message);
-  if (session.options.verbosity == dobra::cli::Verbosity::Quiet) return {};
-  std::string text;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number() || value.is_string()) text += fmt::format("{:<20} {}\n", name, value.dump());
-  }
-  return dobra::cli::print(text);
-}
-
-Result<void> tell_sheet_refusal(Session& session, const Error& error) {
-  if (session.options.format != dobra::cli::OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
-  Json json;
-  json["findings"] = findings_json({finding_of(error)}, {});
-  return print_sheet_json(json);
-}
-
 template <class Work>
 Result<int> with_refusal(Session& session, Work&& work) {
   Result<int> done = work();
-  if (!done) DOBRA_TRY_VOID(tell_sheet_refusal(session, done.error()));
+  if (!done) DOBRA_TRY_VOID(dobra::cli::tell_refusal(session, done.error()));
   return done;
+}
+
+/// Boundaries as solids have them, and all other files of polygons in space.
+Result<dobra::mesh::PolygonMesh> read_sheet(const std::string& path) {
+  return io::formats::format_of(path, io::formats::Use::ReadMesh) != nullptr &&
+                 io::formats::format_of(path, io::formats::Use::ReadPolygons) == nullptr
+             ? io::formats::read_boundary(path)
+             : io::formats::read_polygons(path);
+}
+
+std::vector<std::string> sheet_endings() {
+  std::vector<std::string> endings = io::formats::boundary_endings();
+  for (std::string& ending : io::formats::endings_for(io::formats::Use::ReadPolygons)) {
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) endings.push_back(std::move(ending));
+  }
+  return endings;
 }
 
 Json point_json(geom::Point3 p) { return {p.x, p.y, p.z}; }
@@ -171,7 +153,7 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
   auto charted = surf::remesh::chart_mesh(
       mesh, {.weights = params.weights, .border = params.border, .stones = {.turn = params.corner.degrees()}});
   if (!charted) return base::located(charted.error(), {.file = command.file.string()});
@@ -193,12 +175,12 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
         {{"point", point_json(charted->opened.sheet.points[v])}, {"uv", Json{chart.uv[v].x, chart.uv[v].y}}});
   }
   json["seconds"] = watch.seconds();
-  json["findings"] = findings_json(charted->findings, {});
+  json["findings"] = dobra::cli::findings_json(charted->findings, {});
   if (command.out) {
-    DOBRA_TRY_VOID(write_staged(session, *command.out,
-                                [&](const std::string& path) { return write_chart(path, *charted, patch_of); }));
+    DOBRA_TRY_VOID(dobra::cli::write_whole(
+        session, *command.out, [&](const Path& path) { return write_chart(path.string(), *charted, patch_of); }));
   }
-  DOBRA_TRY_VOID(tell_sheet(session, json, charted->findings));
+  DOBRA_TRY_VOID(dobra::cli::tell(session, json, charted->findings));
   return 0;
 }
 
@@ -289,25 +271,25 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, io::formats::read_boundary(command.file.string()));
+  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
   const double read = watch.seconds();
   auto made = surf::remesh::remesh(mesh, options, session.progress());
   if (!made) return base::located(made.error(), {.file = command.file.string()});
   const double meshed = watch.seconds();
   Json json = figures_of(*made);
   if (command.out) {
-    DOBRA_TRY_VOID(
-        write_staged(session, *command.out, [&](const std::string& path) { return write_remeshed(path, made->mesh); }));
+    DOBRA_TRY_VOID(dobra::cli::write_whole(
+        session, *command.out, [&](const Path& path) { return write_remeshed(path.string(), made->mesh); }));
   }
   json["seconds"] = {
       {"read", read}, {"remesh", meshed - read}, {"write", watch.seconds() - meshed}, {"total", watch.seconds()}};
-  json["findings"] = findings_json(made->findings, {});
-  DOBRA_TRY_VOID(tell_sheet(session, json, made->findings));
+  json["findings"] = dobra::cli::findings_json(made->findings, {});
+  DOBRA_TRY_VOID(dobra::cli::tell(session, json, made->findings));
   return 0;
 }
 
 void add_mesh(CLI::App& app, Path& file) {
-  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(io::formats::boundary_endings(), " ")))
+  app.add_option("mesh", file, fmt::format("Triangle mesh: {}", fmt::join(sheet_endings(), " ")))
       ->required()
       ->type_name("MESH");
 }

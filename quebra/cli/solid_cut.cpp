@@ -6,12 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "quebra/cli/placement.h"
 #include "quebra/solids/cap_domain.h"
 #include "quebra/solids/parts.h"
 #include "quebra/solids/tree_check.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/placement.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/scenario/runner.h"
@@ -22,10 +22,11 @@ namespace {
 using namespace dobra;
 using base::Error;
 using base::ErrorCode;
+using base::Finding;
 using base::Result;
+using dobra::cli::Bodies;
 using dobra::cli::Session;
 using solid::Contact;
-using surf::mesh::Finding;
 
 Result<const solids::Part*> chosen_part(const solids::Parts& parts, const std::string& name) {
   if (parts.parts.empty()) return Error{ErrorCode::BadValue, "the scenario makes no parts"};
@@ -58,16 +59,6 @@ std::optional<Finding> flaw_of(const scenario::Program& program, const scenario:
                  run.error->place.value_or(base::Place{})};
 }
 
-Result<void> write_text(Session& session, const std::filesystem::path& out, const std::string& text) {
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = io::write_text(staging.path(out.filename().string()), text); !written)
-    return staging.for_user(written.error());
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
-}
-
 }  // namespace
 
 Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& file, const std::string& part,
@@ -93,7 +84,7 @@ Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& f
       bodies.bodies.push_back({body.material, body.solid});
       continue;
     }
-    DOBRA_TRY(const solid::Matrix numbers, parse_matrix(*matrix));
+    DOBRA_TRY(const solid::Matrix numbers, dobra::cli::parse_matrix(*matrix));
     DOBRA_TRY(solid::csg::Evaluated placed, solid::csg::Evaluator().evaluate(solid::csg::placed(body.tree, numbers)));
     if (placed.rounded > 0)
       findings.push_back({"placed_rounded",
@@ -104,28 +95,6 @@ Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& f
     bodies.bodies.push_back({body.material, std::move(placed.solid)});
   }
   return bodies;
-}
-
-Result<solid::CutPlane> parse_plane(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    const auto value = base::parse_number(word);
-    if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadValue, fmt::format("--cut: '{}' is not a finite number", word)};
-    numbers.push_back(*value);
-    begin = end + 1;
-  }
-  if (numbers.size() != 4) {
-    return Error{
-        ErrorCode::BadValue,
-        fmt::format("--cut has {} numbers: give a,b,c,d of the plane a x + b y + c z + d = 0", numbers.size())};
-  }
-  const solid::CutPlane plane{numbers[0], numbers[1], numbers[2], numbers[3]};
-  if (const auto frame = solid::frame_of(plane); !frame)
-    return Error{ErrorCode::BadValue, "--cut: " + frame.error().message};
-  return plane;
 }
 
 nlohmann::ordered_json json_of(const CutFigures& figures) {
@@ -152,16 +121,14 @@ Result<CutFigures> cut_bodies(Session& session, const std::vector<Bodies::Body>&
   }
   DOBRA_TRY(const solid::Section section, solid::Sections(solids).cut(plane));
   const solid::Cap cap = solid::cap_of(section);
-  DOBRA_TRY(const Contact contact, solid::contact_with(solids, plane));
+  DOBRA_TRY(const solid::PlaneContact contact, solid::contact_with(solids, plane));
   CutFigures figures;
   figures.frame = cap.frame;
   if (cap.empty()) {
-    findings.push_back(empty_section(contact));
+    findings.push_back(empty_section(contact.most));
     return figures;
   }
-  if (contact == Contact::Face)
-    findings.push_back(
-        {"cut_in_face", "--cut: the plane lies in a face; the section is that of what lies just below the plane", {}});
+  if (contact.in_face) findings.push_back({"cut_in_face", fmt::format("--cut: {}", solids::cut_in_face), {}});
   std::set<std::string> regions;
   for (const solid::CapRegion& region : cap.regions) {
     figures.area += region.area;
@@ -174,7 +141,10 @@ Result<CutFigures> cut_bodies(Session& session, const std::vector<Bodies::Body>&
   const scenario::Document document =
       solids::document_of(solids::sketch_of(cap, materials, materials[0]), plane, cap.frame);
   if (auto flaw = flaw_of(session.program, document, out.value_or(""))) findings.push_back(std::move(*flaw));
-  if (out) DOBRA_TRY_VOID(write_text(session, *out, scenario::document_text(document)));
+  if (out)
+    DOBRA_TRY_VOID(dobra::cli::write_whole(session, *out, [&](const std::filesystem::path& path) {
+      return io::write_text(path, scenario::document_text(document));
+    }));
   return figures;
 }
 

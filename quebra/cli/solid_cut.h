@@ -8,30 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "quebra/model/model.h"
-#include "shared/cli/session.h"
+#include "shared/cli/solid_command.h"
 #include "shared/solid/section.h"
 
 namespace quebra::cli {
 
-/// Solids side by side, each of one material.
-struct Bodies {
-  struct Body {
-    std::string material;
-    dobra::solid::Solid solid;
-  };
-  std::vector<Body> bodies;
-};
-
 /// Runs the steps that make parts, and takes one of them.
 /// @param part  the last if empty.
 /// @error those of the scenario; BadValue if it makes no parts, or none of that name.
-dobra::base::Result<Bodies> part_of_scenario(dobra::cli::Session& session, const std::filesystem::path& file,
-                                             const std::string& part, const std::optional<std::string>& matrix,
-                                             std::vector<dobra::surf::mesh::Finding>& findings);
-
-/// Four numbers with commas between them. @error BadValue: not that, or no plane.
-dobra::base::Result<dobra::solid::CutPlane> parse_plane(const std::string& text);
+dobra::base::Result<dobra::cli::Bodies> part_of_scenario(dobra::cli::Session& session,
+                                                         const std::filesystem::path& file, const std::string& part,
+                                                         const std::optional<std::string>& matrix,
+                                                         std::vector<dobra::base::Finding>& findings);
 
 /// What the section is.
 struct CutFigures {
@@ -43,9 +31,10 @@ struct CutFigures {
 nlohmann::ordered_json json_of(const CutFigures& figures);
 
 /// The section, written to `out` as a scenario if there is one. An empty section writes nothing; a finding says why.
-dobra::base::Result<CutFigures> cut_bodies(dobra::cli::Session& session, const std::vector<Bodies::Body>& bodies,
+dobra::base::Result<CutFigures> cut_bodies(dobra::cli::Session& session,
+                                           const std::vector<dobra::cli::Bodies::Body>& bodies,
                                            const dobra::solid::CutPlane& plane,
                                            const std::optional<std::filesystem::path>& out,
-                                           std::vector<dobra::surf::mesh::Finding>& findings);
+                                           std::vector<dobra::base::Finding>& findings);
 
 }  // namespace quebra::cli

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shared/geom/box.h"
+#include "shared/scene/layer.h"
 #include "shared/surf/surface.h"
 
 namespace quebra::core {
@@ -29,7 +30,19 @@ class DrawnChart {
     return {low_.x + drawn.x / u_, low_.y + drawn.y / v_};
   }
 
+  /// What axes along u and v say at a length that is drawn: u and v as they are written.
+  /// @param unit  what 1 of it is in the chart. @param name  of the unit; empty: there is none
+  [[nodiscard]] dobra::scene::Reading u_reading(double unit, const std::string& name) const {
+    return {title("u", name), low_.x / unit, 1.0 / (u_ * unit)};
+  }
+  [[nodiscard]] dobra::scene::Reading v_reading(double unit, const std::string& name) const {
+    return {title("v", name), low_.y / unit, 1.0 / (v_ * unit)};
+  }
+
  private:
+  static std::string title(const char* axis, const std::string& name) {
+    return name.empty() ? std::string(axis) : std::string(axis) + " [" + name + "]";
+  }
   dobra::geom::Point low_;
   double u_ = 1.0, v_ = 1.0;
 };

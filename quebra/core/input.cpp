@@ -317,6 +317,18 @@ Result<model::Model> read_faces(const InputParams& params, const dobra::scenario
   return model_of({std::move(imported.faces), std::move(units)}, std::move(imported.findings), context);
 }
 
+/// The surfaces without what was found.
+model::SurfaceSet set_of(surfaces::Surfaces& made) {
+  model::SurfaceSet set;
+  for (const surfaces::ChartUnits& own : made.units) {
+    set.chart_units.push_back({own.u, own.v});
+    set.unit_names.push_back({own.u_name, own.v_name});
+  }
+  set.faces = std::move(made.faces), set.parts = std::move(made.parts), set.chosen = std::move(made.chosen);
+  set.controls = std::move(made.controls), set.control_lines = std::move(made.control_lines);
+  return set;
+}
+
 Result<model::Model> read_surfaces(const InputParams& params, const dobra::scenario::Table& table,
                                    const dobra::scenario::Context& context) {
   for (const char* const plane : {"specimen", "file", "curve", "crack", "region", "point"}) {
@@ -332,11 +344,8 @@ Result<model::Model> read_surfaces(const InputParams& params, const dobra::scena
   DOBRA_TRY(surfaces::Surfaces made, surfaces::make_surfaces(params, table, context.units));
   if (made.faces.empty())
     return Error{ErrorCode::BadValue, "every surface is a tool; give one with use = \"mesh\"", table.place("surface")};
-  std::vector<dobra::geom::Vector> units;
-  for (const surfaces::ChartUnits& own : made.units) units.push_back({own.u, own.v});
-  return model_of({std::move(made.faces), std::move(units), std::move(made.parts), std::move(made.chosen),
-                   std::move(made.controls), std::move(made.control_lines)},
-                  std::move(made.findings), context);
+  model::SurfaceSet set = set_of(made);
+  return model_of(std::move(set), std::move(made.findings), context);
 }
 
 /// A model whose steps make its parts.
@@ -355,6 +364,16 @@ Result<model::Model> read_solids(const dobra::scenario::Table& table, const dobr
 }
 
 }  // namespace
+
+std::optional<model::Model> drawn_surfaces(const InputParams& params, const dobra::scenario::Table& table,
+                                           const dobra::scenario::Context& context) {
+  if (params.surfaces.empty()) return std::nullopt;
+  surfaces::Surfaces made = surfaces::drawn_surfaces(params, table, context.units);
+  model::SurfaceSet set = set_of(made);
+  if (set.faces.empty()) return std::nullopt;
+  auto model = model_of(std::move(set), {}, context);
+  return model;
+}
 
 Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                 const dobra::scenario::Context& context) {

@@ -283,6 +283,11 @@ struct InputParams : sketch::LineInput, surfaces::SurfaceInput {
 /// Whether the file is a boundary model, whose faces are surfaces.
 bool is_brep(const std::string& file);
 
+/// Surfaces of an input that read_input() may refuse, untrimmed, with those of their lines that can be drawn, to be
+/// looked at alone; nothing: there are none.
+std::optional<model::Model> drawn_surfaces(const InputParams& params, const dobra::scenario::Table& table,
+                                           const dobra::scenario::Context& context);
+
 /// What is drawn, before anything is made of it.
 /// @param table  the table that `params` came from: the places of its curves stand in the errors.
 /// @error those of the reader of the file; BadValue for a curve that lacks what its kind needs.

@@ -34,9 +34,11 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
   return scenario::make_state(std::move(model));
 }
 
-/// The curves alone: whatever is wrong with them, they can be looked at.
+/// The curves or surfaces alone: whatever is wrong with them, they can be looked at.
 void draw_input(const scenario::Table& table, const scenario::Context& context, dobra::scene::Picture& picture) {
-  const auto drawn = read_drawing(scenario::from_table<InputParams>(table), table, context);
+  const auto params = scenario::from_table<InputParams>(table);
+  if (const auto surfaces = drawn_surfaces(params, table, context)) return draw_surfaces(*surfaces, picture);
+  const auto drawn = read_drawing(params, table, context);
   if (!drawn || drawn->curves.empty()) return;
   dobra::scene::Panel panel;
   panel.key = "domain";
@@ -47,6 +49,12 @@ void draw_input(const scenario::Table& table, const scenario::Context& context, 
                             dobra::scene::Lines{{trace(curve).line}, {}}});
   }
   picture.panels.push_back(std::move(panel));
+}
+
+void draw_input_in_space(const scenario::Table& table, const scenario::Context& context,
+                         dobra::scene::space::SpacePicture& picture) {
+  const auto drawn = drawn_surfaces(scenario::from_table<InputParams>(table), table, context);
+  if (drawn) draw_surfaces_in_space(*drawn, picture);
 }
 
 /// The lines of supports and loads, for what only shows on a mesh: a formula that has no value somewhere.
@@ -269,6 +277,7 @@ scenario::Program make_program() {
   program.input_fields = scenario::fields_of<InputParams>();
   program.read_input = input;
   program.draw_input = draw_input;
+  program.draw_input_in_space = draw_input_in_space;
   program.nothing_yet = [](const scenario::Table& input) {
     constexpr std::array keys{"specimen", "file", "curve", "crack", "surface", "solids"};
     return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return input.find(key) != nullptr; });

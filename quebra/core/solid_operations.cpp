@@ -1,5 +1,6 @@
 #include "quebra/core/solid_operations.h"
 
+#include "quebra/core/solid_layers.h"
 #include "quebra/solids/steps.h"
 
 namespace quebra::core {
@@ -8,11 +9,9 @@ using namespace dobra;
 
 std::vector<scenario::Operation> solid_operations() {
   return {
-      scenario::make_operation<model::Model, solids::BlockParams>("block", "Block", "A box by its three sizes.",
-                                                                  solids::add_block,
-                                                                  {.quantities = solids::add_part_quantities,
-                                                                   .outputs = solids::add_part_outputs,
-                                                                   .draw_space = solids::draw_parts}),
+      scenario::make_operation<model::Model, solids::BlockParams>(
+          "block", "Block", "A box by its three sizes.", solids::add_block,
+          {.quantities = solids::add_part_quantities, .outputs = solids::add_part_outputs, .draw_space = draw_solids}),
       scenario::make_operation<model::Model, solids::PrismParams>("prism", "Prism", "Over a regular polygon.",
                                                                   solids::add_prism),
       scenario::make_operation<model::Model, solids::PyramidParams>(
@@ -33,6 +32,9 @@ std::vector<scenario::Operation> solid_operations() {
       scenario::make_operation<model::Model, solids::RevolveParams>(
           "revolve", "Turned profile",
           "A contour of (radius, z) turned about the z axis, all the way round or part of it.", solids::add_revolved),
+      scenario::make_operation<model::Model, solids::LoftParams>(
+          "loft", "Profiles joined", "Plane contours in space, each joined to the next by triangles.",
+          solids::add_lofted),
       scenario::make_operation<model::Model, solids::SolidFileParams>(
           "solid_file", "Solid of a file", "A solid whose boundary a file holds.", solids::add_solid_file),
       scenario::make_operation<model::Model, solids::UniteParams>(

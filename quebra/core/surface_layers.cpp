@@ -75,7 +75,8 @@ constexpr scene::Color chart_mesh_line{55, 71, 79, 150};
 constexpr scene::Color space_mesh_line{38, 50, 56};
 constexpr scene::Color isocurve_pink{216, 27, 96};
 constexpr scene::Color normal_violet{123, 31, 162};
-constexpr scene::Color face_fill{205, 220, 234};
+constexpr scene::Color finding_orange{230, 81, 0};
+constexpr scene::Color face_fill{150, 178, 204};  // lines are seen on it, dark ones on paper and white ones on black
 constexpr scene::Color left_out_fill{224, 224, 224};
 constexpr scene::Color left_out_line{158, 158, 158};
 constexpr int samples_an_edge = 96;
@@ -218,6 +219,10 @@ scene::Panel chart_panel(const Charts& of, std::size_t f) {
   panel.title = fmt::format("{}: {}", translated("Chart"), faces[f].name);
   panel.axes.x_title = translated("u (length) [m]");
   panel.axes.y_title = translated("v (length) [m]");
+  const geom::Vector unit = of.set.chart_units[f];
+  const auto names = f < of.set.unit_names.size() ? of.set.unit_names[f] : std::array<std::string, 2>{};
+  panel.axes.x_reading = chart.u_reading(unit.x, names[0]);
+  panel.axes.y_reading = chart.v_reading(unit.y, names[1]);
   scene::Regions out;
   for (const LeftOut& part : of.left) {
     if (part.face != f) continue;
@@ -314,8 +319,13 @@ void add_faces(const model::SurfaceSet& set, bool meshed, std::vector<scene::spa
     out.push_back(area_of(set.faces[part.face].surface, part.part->loops, part.item));
   add_areas(left_out_layer, translated("Parts left out"), left_out_fill, out, layers);
   if (meshed) return;
-  for (std::size_t f = 0; f < set.faces.size(); ++f)
+  for (std::size_t f = 0; f < set.faces.size(); ++f) {
     faces.push_back(area_of(set.faces[f].surface, set.faces[f].loops, static_cast<std::uint32_t>(f)));
+    if (faces.back().triangles.empty()) {  // its loops go round it
+      const auto* parts = f < set.parts.size() && set.parts[f].recognised ? &set.parts[f] : nullptr;
+      faces.back() = area_of_parts(set.faces[f].surface, parts, static_cast<std::uint32_t>(f));
+    }
+  }
   add_areas(faces_layer, translated("Surface"), face_fill, faces, layers);
 }
 
@@ -343,6 +353,26 @@ void add_helping_lines(const model::SurfaceSet& set, const model::SurfaceMeshed&
   add(normals_layer, translated("Normals"), normal_violet, 0.9, std::move(arrows));
 }
 
+/// Where something was told, with what was told.
+void add_findings(const model::Model& model, std::vector<scene::space::Layer>& layers) {
+  scene::space::Markers places;
+  std::vector<std::string> messages;
+  for (const surf::mesh::Finding& finding : findings_of(model)) {
+    if (!finding.place.x || !finding.place.y || !finding.place.z) continue;
+    places.points.push_back({*finding.place.x, *finding.place.y, *finding.place.z});
+    messages.push_back(scenario::message_in_units(finding.message, model.units));
+  }
+  if (places.points.empty()) return;
+  layers.push_back({.key = "findings",
+                    .title = translated("Findings"),
+                    .style = {.line = finding_orange, .marker_size = 9.0},
+                    .content = std::move(places),
+                    .visible = true,
+                    .in_legend = scene::InLegend::Yes,
+                    .legend = {},
+                    .names = std::move(messages)});
+}
+
 }  // namespace
 
 void draw_surfaces_in_space(const model::Model& model, scene::space::SpacePicture& picture) {
@@ -361,6 +391,7 @@ void draw_surfaces_in_space(const model::Model& model, scene::space::SpacePictur
         to.ids.push_back(edge.item);
       });
   add_controls(set, picture.layers);
+  add_findings(model, picture.layers);
   picture.camera = scene::space::camera_of(scene::space::StandardView::Isometric);
   // Good elements have a dark colour: the insides of shells, that the light passes by, are to show it with its edges.
   picture.light.ambient = 0.7;

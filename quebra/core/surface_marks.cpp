@@ -224,6 +224,39 @@ scene::space::Surface area_of(const surf::Surface& surface, const std::vector<su
   return area;
 }
 
+scene::space::Surface area_of_parts(const surf::Surface& surface, const model::SurfaceParts* parts,
+                                    std::uint32_t item) {
+  constexpr std::uint32_t cells = 96;
+  const geom::Box& box = surface.chart();
+  const auto place = [&](double i, double j) {
+    return Point{std::lerp(box.low.x, box.high.x, i / cells), std::lerp(box.low.y, box.high.y, j / cells)};
+  };
+  std::vector<Point> chart;
+  std::vector<Point3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i <= cells; ++i) {
+    for (std::uint32_t j = 0; j <= cells; ++j) {
+      chart.push_back(place(i, j));
+      points.push_back(surface.at(chart.back()));
+    }
+  }
+  for (std::uint32_t i = 0; i < cells; ++i) {
+    for (std::uint32_t j = 0; j < cells; ++j) {
+      if (parts != nullptr) {
+        const auto part = parts->recognised->pick(place(i + 0.5, j + 0.5));
+        if (!part || std::find(parts->in.begin(), parts->in.end(), *part) == parts->in.end()) continue;
+      }
+      const std::uint32_t a = i * (cells + 1) + j, b = a + cells + 1;
+      triangles.push_back({a, b, b + 1});
+      triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  scene::space::Surface area;
+  area.ids = std::vector<std::uint32_t>(triangles.size(), item);
+  area.points = std::move(points), area.chart = std::move(chart), area.triangles = std::move(triangles);
+  return area;
+}
+
 void add_controls(const model::SurfaceSet& set, std::vector<scene::space::Layer>& layers) {
   if (set.controls.empty()) return;
   std::vector<std::vector<Point3>> lines;

@@ -32,6 +32,10 @@ std::vector<std::vector<dobra::geom::Point3>> normals(const dobra::surf::mesh::S
 /// where the loops do not close in the chart, as all round a cylinder.
 dobra::scene::space::Surface area_of(const dobra::surf::Surface& surface,
                                      const std::vector<dobra::surf::trim::ChartLoop>& loops, std::uint32_t item);
+/// The same of parts by a grid over the chart, whatever their loops are; of all the chart where there are no parts.
+/// @cost that of Recognised::pick for each cell
+dobra::scene::space::Surface area_of_parts(const dobra::surf::Surface& surface, const model::SurfaceParts* parts,
+                                           std::uint32_t item);
 /// The same as an area of the drawn chart.
 dobra::scene::Region region_of(const std::vector<dobra::surf::trim::ChartLoop>& loops, const DrawnChart& chart);
 

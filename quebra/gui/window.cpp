@@ -4,12 +4,14 @@
 #include <QPolygonF>
 
 #include "quebra/core/operations.h"
+#include "quebra/core/solid_layers.h"
 #include "quebra/core/surface_marks.h"
 #include "quebra/core/surface_start.h"
 #include "quebra/gui/control_drag.h"
 #include "quebra/gui/crack_panel.h"
 #include "quebra/gui/crack_tool.h"
 #include "quebra/gui/part_tool.h"
+#include "quebra/gui/solids_shown.h"
 #include "quebra/gui/surfaces_shown.h"
 #include "shared/gui/window_part.h"
 
@@ -39,6 +41,13 @@ void draw_controls(QPainter& painter) {
   for (const QPointF& point : net) painter.drawEllipse(point, 2, 2);
 }
 
+/// Two blocks, apart.
+void draw_shells(QPainter& painter) {
+  painter.drawRect(QRectF(3, 4, 7, 16));
+  painter.drawRect(QRectF(14, 4, 7, 16));
+  painter.drawLine(QPointF(10.5, 12), QPointF(13.5, 12));
+}
+
 }  // namespace
 
 dobra::gui::WindowPart window_part() {
@@ -55,6 +64,8 @@ dobra::gui::WindowPart window_part() {
               {"surfaces/cracked_shell.toml", "Trimmed shell with a crack",
                "A panel of a cylinder with a window, in its chart and in space, and its decks for CalculiX and "
                "Nastran."},
+              {"solids/pillar.toml", "Mine pillar of solids",
+               "Blocks, a dyke and bores, combined step by step; its section is meshed and analysed."},
           },
       .tools = {{.name = "crack",
                  .text = "Crack",
@@ -75,7 +86,11 @@ dobra::gui::WindowPart window_part() {
                     return new CrackPanel(desk, parent);
                   }}},
       .space =
-          {.clicked = choose_part,
+          {.clicked =
+               [](const dobra::gui::Desk& desk, const dobra::gui::stage::ItemAt& item) {
+                 choose_part(desk, item);
+                 tell_face(desk, item);
+               },
            .draggable = {core::controls_layer},
            .switches =
                {
@@ -86,9 +101,16 @@ dobra::gui::WindowPart window_part() {
                     "The points that curves and surfaces are given by; drag them",
                     draw_controls,
                     {core::controls_layer, "control_lines"}},
+                   {"exploded",
+                    "Shells apart",
+                    "Draws the shells of a solid away from each other",
+                    draw_shells,
+                    {core::exploded_layer, core::exploded_edges_layer},
+                    {"space/solid", "space/solid_edges"}},
                },
            .panel_of = chart_with,
            .panel = chart_panel,
+           .section = make_solid_section(),
            .dragged = make_control_drag()},
       .files = {{core::brep_files(), core::document_of_brep}}};
 }

@@ -499,9 +499,12 @@ Result<model::Meshed> mesh_domain(const model::Model& model, const MeshParams& p
   const auto& constraints = obeyed(model, params);
   Stopwatch watch;
   model::Meshed meshed;
-  const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
+  const auto done = [&](const char* phase) {
+    meshed.seconds.push_back({phase, watch.lap()});
+    return progress.check();
+  };
   DOBRA_TRY(const Prepared prepared, prepare(model, params, wishes, source, remarks));
-  done("divide");
+  DOBRA_TRY_VOID(done("divide"));
   TriangleMesh triangles;
   if (params.engine == EngineChoice::Paper) {
     DOBRA_TRY(triangles, by_paper(prepared.input, params, progress));
@@ -516,12 +519,12 @@ Result<model::Meshed> mesh_domain(const model::Model& model, const MeshParams& p
     triangles = mesher.mesh();
     meshed.sizes = std::make_shared<const dobra::mesh::sizing::SizeField>(mesher.sizes());
   }
-  done("triangulate");
+  DOBRA_TRY_VOID(done("triangulate"));
   DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, prepared.rosettes, remarks));
-  done("elements");
+  DOBRA_TRY_VOID(done("elements"));
   meshed.quality = dobra::mesh::quality_of(triangles);
   meshed.elements = dobra::mesh::element_quality_of(meshed.mesh);
-  done("quality");
+  DOBRA_TRY_VOID(done("quality"));
   for (const model::Constraint& constraint : constraints)
     meshed.constraint_edges += triangles.constraint_sets.at(constraint.name).size();
   meshed.name = name_of_next(model, params);

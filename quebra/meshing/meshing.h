@@ -75,7 +75,7 @@ struct MeshRules {
              .at_least = 0});
     d.field("growth", of<P>(&MeshRules::growth),
             {.title = "Growth",
-             .help = "Most by which sizes may grow from one element to the next; 1.2 on surfaces where left out.",
+             .help = "Most by which sizes may grow from one element to the next; 1.17 on surfaces where left out.",
              .above = 1,
              .at_most = 10});
     d.field("narrow", of<P>(&MeshRules::narrow),

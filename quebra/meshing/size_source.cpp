@@ -16,6 +16,7 @@
 #include "shared/io/formats/mesh_file.h"
 
 namespace quebra::meshing {
+
 namespace {
 
 using dobra::base::Error;
@@ -28,27 +29,9 @@ using dobra::geom::Segment;
 using dobra::mesh::ElementId;
 using dobra::mesh::ElementMesh;
 
+dobra::base::Place place_of(Point p) { return {.x = p.x, .y = p.y}; }
+
 constexpr double no_wish = std::numeric_limits<double>::infinity();
-
-bool is_size(double value) { return value > 0.0 && std::isfinite(value); }
-
-Error no_size(const std::string& whose, double value, Point at) {
-  dobra::base::Place place;
-  place.x = at.x;
-  place.y = at.y;
-  if (!std::isfinite(value))
-    return {ErrorCode::BadValue,
-            fmt::format("{} has no finite value here; sizes must be: bound it, as with min(..., 1), or leave out where "
-                        "it is not defined",
-                        whose),
-            place};
-  return {
-      ErrorCode::BadValue,
-      fmt::format(
-          "{} gives the size {:.6g} m here; sizes must be greater than 0: bound it from below, as with max(..., 0.01)",
-          whose, value),
-      place};
-}
 
 /// Sizes at the corners of triangles, linear between them.
 class Background {
@@ -148,7 +131,8 @@ Result<Background> read_background(const std::string& path, const std::string& n
     for (std::size_t i = 0; i < field.values.size(); ++i) {
       field.values[i] *= unit;
       if (!is_size(field.values[i]))
-        return no_size(fmt::format("field '{}' of '{}'", name, path), field.values[i], contents.mesh.points[i]);
+        return no_size(fmt::format("field '{}' of '{}'", name, path), field.values[i],
+                       place_of(contents.mesh.points[i]));
     }
     return Background(contents.mesh, std::move(field.values));
   }
@@ -158,6 +142,23 @@ Result<Background> read_background(const std::string& path, const std::string& n
 }
 
 }  // namespace
+
+bool is_size(double value) { return value > 0.0 && std::isfinite(value); }
+
+Error no_size(const std::string& whose, double value, const dobra::base::Place& place) {
+  if (!std::isfinite(value))
+    return {ErrorCode::BadValue,
+            fmt::format("{} has no finite value here; sizes must be: bound it, as with min(..., 1), or leave out where "
+                        "it is not defined",
+                        whose),
+            place};
+  return {
+      ErrorCode::BadValue,
+      fmt::format(
+          "{} gives the size {:.6g} m here; sizes must be greater than 0: bound it from below, as with max(..., 0.01)",
+          whose, value),
+      place};
+}
 
 struct SizeSource::Wishes {
   explicit Wishes(const domain::Domain& domain) : inside(domain) {
@@ -175,7 +176,7 @@ struct SizeSource::Wishes {
     if (!formula) return size;
     const double value = formula->at(std::array{p.x, p.y});
     if (is_size(value)) return std::min(size, value);
-    if (!fault && inside(p)) fault = no_size("size_formula", value, p);
+    if (!fault && inside(p)) fault = no_size("size_formula", value, place_of(p));
     return size;
   }
 
@@ -224,7 +225,7 @@ Result<SizeSource> SizeSource::make(const domain::Domain& domain, const std::str
       for (int k = 0; k < looks; ++k) {
         const Point p = interpolate(line.segment(i).from, line.segment(i).to, static_cast<double>(k) / looks);
         const double value = read->at(std::array{p.x, p.y});
-        if (!is_size(value)) return no_size("size_formula", value, p);
+        if (!is_size(value)) return no_size("size_formula", value, place_of(p));
       }
     }
   }

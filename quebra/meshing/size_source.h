@@ -11,6 +11,10 @@
 
 namespace quebra::meshing {
 
+bool is_size(double value);
+/// BadValue, of a value that is no size. @param whose  "size_formula"
+dobra::base::Error no_size(const std::string& whose, double value, const dobra::base::Place& place);
+
 class SizeSource {
  public:
   /// No wish anywhere.

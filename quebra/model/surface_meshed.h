@@ -1,6 +1,7 @@
 #pragma once
 // A mesh of surfaces that a step made, with what is known of it. Values.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ struct SurfaceSet {
   std::vector<ChosenPart> chosen = {};
   std::vector<ControlPoint> controls = {};
   std::vector<std::vector<std::size_t>> control_lines = {};  ///< Numbers of controls: polygons of curves, nets.
+  /// One a face: what units of its written u and v are called; empty: a parameter. None: they all are.
+  std::vector<std::array<std::string, 2>> unit_names = {};
 };
 
 struct SurfaceMeshed {

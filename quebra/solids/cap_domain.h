@@ -18,6 +18,9 @@ namespace quebra::solids {
 sketch::Sketch sketch_of(const dobra::solid::Cap& cap, std::span<const std::string> materials,
                          const std::string& fallback);
 
+/// What is told of a plane in which a face lies.
+constexpr const char* cut_in_face = "the plane lies in a face; the section is that of what lies just below the plane";
+
 /// The same as a scenario without steps; where the frame lies in space stands in its comment.
 dobra::scenario::Document document_of(const sketch::Sketch& sketch, const dobra::solid::CutPlane& plane,
                                       const dobra::solid::SectionFrame& frame);

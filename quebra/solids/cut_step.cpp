@@ -73,10 +73,8 @@ NextModel cut_to_domain(const model::Model& model, const CutParams& params, cons
   DOBRA_TRY(const solid::Section section, solid::Sections(solids).cut(plane));
   DOBRA_TRY_VOID(progress.check());
   const solid::Cap cap = solid::cap_of(section);
-  if (cap.empty()) {
-    DOBRA_TRY(const solid::Contact contact, solid::contact_with(solids, plane));
-    return missed(contact);
-  }
+  DOBRA_TRY(const solid::PlaneContact contact, solid::contact_with(solids, plane));
+  if (cap.empty()) return missed(contact.most);
   sketch::Sketch sketch = sketch_of(cap, materials, parts[0]->name);
   std::set<std::string> names;
   for (const sketch::Curve& curve : sketch.curves) names.insert(curve.name);
@@ -96,9 +94,8 @@ NextModel cut_to_domain(const model::Model& model, const CutParams& params, cons
   const double unit = context.units.to_si(1.0, "m");
   DOBRA_TRY(next.domain, domain::make_domain(std::move(sketch), {}));
   next.domain.unit = unit;
-  double area = 0.0;
-  for (const solid::CapRegion& region : cap.regions) area += region.area;
   next.remarks.push_back(fmt::format("the section has {} pieces and {} curves", cap.regions.size(), cap.lines.size()));
+  if (contact.in_face) next.remarks.push_back(cut_in_face);
   return next;
 }
 
@@ -130,24 +127,6 @@ void add_part_outputs(const std::shared_ptr<const model::Model>& model, std::vec
                        return io::formats::write_boundary(path.string(), faces.mesh);
                      },
                      {}});
-}
-
-void draw_parts(const model::Model& model, dobra::scene::space::SpacePicture& picture) {
-  if (!model.solids) return;
-  for (const Part& part : model.solids->parts) {
-    const auto solid = whole(part);
-    if (!solid || solid->empty()) continue;
-    const auto faces = solid::to_mesh(*solid, solid::FacesAs::Triangles);
-    if (!faces) continue;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const auto& face : faces->mesh.faces) triangles.push_back({face[0], face[1], face[2]});
-    dobra::scene::space::Surface surface;
-    surface.points = faces->mesh.points;
-    surface.triangles = std::move(triangles);
-    const bool last = &part == &model.solids->parts.back();
-    picture.layers.push_back(
-        {.key = "part." + part.name, .title = part.name, .style = {}, .content = std::move(surface), .visible = last});
-  }
 }
 
 }  // namespace quebra::solids

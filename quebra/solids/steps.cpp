@@ -9,6 +9,7 @@
 #include "shared/base/text.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/solid/shape/instance.h"
+#include "shared/solid/shape/loft.h"
 #include "shared/solid/shape/rounding.h"
 
 namespace quebra::solids {
@@ -76,6 +77,15 @@ Result<model::Model> with_part(const model::Model& model, Part part, Places plac
   return next;
 }
 
+/// Turned along the axis, if there is one, then put there.
+Result<Matrix> place_of(const std::string& part, Point3 at, const std::optional<Point3>& axis) {
+  if (!axis) return solid::moved_by(vector(at));
+  const double size = length(vector(*axis));
+  if (!(size > 0.0) || !std::isfinite(size))
+    return Error{ErrorCode::BadValue, fmt::format("{}: `axis` has no direction", label(part))};
+  return solid::product(solid::moved_by(vector(at)), solid::along(vector(*axis)));
+}
+
 /// A shape of the library as a part.
 Result<model::Model> with_shape(const model::Model& model, const PlacedPart& params, Result<solid::shape::Shape> shape,
                                 const StepProgress& progress) {
@@ -95,13 +105,7 @@ Result<model::Model> with_shape(const model::Model& model, const PlacedPart& par
       text += ';';
     }
   }
-  Matrix matrix = solid::moved_by(vector(params.at));
-  if (params.axis) {
-    const double size = length(vector(*params.axis));
-    if (!(size > 0.0) || !std::isfinite(size))
-      return Error{ErrorCode::BadValue, fmt::format("{}: `axis` has no direction", label(params.part))};
-    matrix = solid::product(matrix, solid::along(vector(*params.axis)));
-  }
+  DOBRA_TRY(const Matrix matrix, place_of(params.part, params.at, params.axis));
   Tree tree = solid::csg::placed(solid::csg::leaf(std::move(text), *std::move(shape)), matrix);
   const std::string& material = params.material.empty() ? params.part : params.material;
   return with_part(model, {params.part, {{material, std::move(tree), {}}}}, Places::Yes, progress);
@@ -244,6 +248,16 @@ NextModel add_revolved(const model::Model& model, const RevolveParams& params, c
   return with_shape(model, params,
                     solid::shape::revolve({params.points, true}, {.angle = params.angle, .segments = params.segments}),
                     progress);
+}
+
+NextModel add_lofted(const model::Model& model, const LoftParams& params, const StepContext&,
+                     const StepProgress& progress) {
+  std::vector<solid::shape::PlacedProfile> profiles;
+  for (const LoftProfileParams& profile : params.profiles) {
+    DOBRA_TRY(const Matrix matrix, place_of(params.part, profile.at, profile.axis));
+    profiles.push_back({{{profile.points, true}, {}}, matrix});
+  }
+  return with_shape(model, params, solid::shape::loft(profiles), progress);
 }
 
 NextModel add_solid_file(const model::Model& model, const SolidFileParams& params, const StepContext& context,

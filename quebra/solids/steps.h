@@ -6,8 +6,10 @@
 // @error BadValue: a name that is taken or that no step before has made; those of the functions of shared/solid.
 
 #include "quebra/model/model.h"
-#include "quebra/solids/part_params.h"
+#include "quebra/solids/cut_params.h"
+#include "quebra/solids/operation_params.h"
 #include "quebra/solids/parts.h"
+#include "quebra/solids/profile_params.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::solids {
@@ -26,6 +28,7 @@ NextModel add_torus(const model::Model&, const TorusParams&, const StepContext&,
 NextModel add_extruded(const model::Model&, const ExtrudeParams&, const StepContext&, const StepProgress&);
 NextModel add_swept(const model::Model&, const SweepParams&, const StepContext&, const StepProgress&);
 NextModel add_revolved(const model::Model&, const RevolveParams&, const StepContext&, const StepProgress&);
+NextModel add_lofted(const model::Model&, const LoftParams&, const StepContext&, const StepProgress&);
 /// Lengths of the file are in the units of the document.
 NextModel add_solid_file(const model::Model&, const SolidFileParams&, const StepContext&, const StepProgress&);
 /// One body, of the first part's material.
@@ -48,8 +51,6 @@ NextModel cut_to_domain(const model::Model&, const CutParams&, const StepContext
 void add_part_quantities(const model::Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 /// The last part as "solid.obj".
 void add_part_outputs(const std::shared_ptr<const model::Model>& model, std::vector<dobra::scenario::Output>& outputs);
-/// Triangles of the parts that no other part is made of.
-void draw_parts(const model::Model& model, dobra::scene::space::SpacePicture& picture);
 
 /// How many shapes and operations the last step had to compute.
 std::size_t computed_last();

@@ -326,14 +326,17 @@ class CrackLineMaker {
     }
     CrackLines::Line line{name, closed, {}};
     std::vector<Point3> part;
+    std::vector<double> lengths;  // in space nearly: those of the chart have other units in u than in v
     for (std::size_t i = 0; i < places.size(); ++i) {
+      lengths.push_back(part.empty() ? 0.0 : lengths.back() + distance(chart_.in(places[i - 1]), chart_.in(places[i])));
       part.push_back({places[i].x, places[i].y, 0.0});
       const bool last = i + 1 == places.size();
       if (!last && (i == 0 || !sharp(places[i - 1], places[i], places[i + 1]))) continue;
-      DOBRA_TRY(Curve curve, Curve::through(part));
+      DOBRA_TRY(Curve curve, Curve::through(part, lengths));
       const double from = curve.low(), to = curve.high();
       line.edges.push_back({.curve = std::move(curve), .from = from, .to = to, .name = name});
       part = {part.back()};
+      lengths = {0.0};
     }
     made_.lines.push_back(std::move(line));
     return {};

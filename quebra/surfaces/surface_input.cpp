@@ -120,6 +120,46 @@ class SurfaceMaker {
     return made;
   }
 
+  /// Whatever can be drawn.
+  Surfaces drawn() {
+    Surfaces made;
+    for (const SpaceCurveParams& params : input_.space_curves) {
+      if (auto curve = make_space_curve(params)) curves_.emplace(params.name, *std::move(curve));
+    }
+    std::map<std::string, Surface> all;
+    for (const SurfaceParams& params : input_.surfaces) {
+      std::vector<Curve> curves;
+      for (const std::string& name : params.curves) {
+        if (const auto known = curves_.find(name); known != curves_.end()) curves.push_back(known->second);
+      }
+      if (curves.size() != params.curves.size()) continue;
+      if (auto surface = make_surface(params, curves)) all.emplace(params.name, *std::move(surface));
+    }
+    const bool one = std::count_if(input_.surfaces.begin(), input_.surfaces.end(),
+                                   [](const auto& params) { return params.use == SurfaceUse::Mesh; }) == 1;
+    surf::trim::SharedNumbers numbers;
+    for (const SurfaceParams& params : input_.surfaces) {
+      const auto surface = all.find(params.name);
+      if (params.use == SurfaceUse::Tool || surface == all.end()) continue;
+      auto whole = surf::trim::recognise(surface->second, std::span<const surf::trim::TrimLine>{}, numbers);
+      if (!whole || whole->faces().empty()) continue;
+      surf::trim::TrimmedSurface face = whole->faces().front();
+      face.name = params.name;
+      const ChartUnits own = chart_units(params.kind, units_);
+      Trimming lines(surface->second, params.name, own);
+      for (const TrimParams& trim : input_.trims) {
+        if (trim.surface.empty() ? !one : trim.surface != params.name) continue;
+        const auto tool = all.find(trim.tool);
+        (void)lines.add(trim, tool == all.end() ? std::nullopt : std::optional(tool->second));  // or it is left out
+      }
+      face.lines = lines.drawn_lines();
+      made.faces.push_back(std::move(face));
+      made.units.push_back(own);
+    }
+    add_controls(input_, made);
+    return made;
+  }
+
  private:
   [[nodiscard]] const scenario::Table& row(const char* key, std::size_t i) const {
     return std::get<std::vector<scenario::Table>>(*table_.find(key))[i];
@@ -333,6 +373,10 @@ class SurfaceMaker {
 Result<Surfaces> make_surfaces(const SurfaceInput& input, const scenario::Table& table,
                                const scenario::UnitSystem& units) {
   return SurfaceMaker(input, table, units).run();
+}
+
+Surfaces drawn_surfaces(const SurfaceInput& input, const scenario::Table& table, const scenario::UnitSystem& units) {
+  return SurfaceMaker(input, table, units).drawn();
 }
 
 }  // namespace quebra::surfaces

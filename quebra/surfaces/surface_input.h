@@ -55,4 +55,9 @@ struct Surfaces {
 dobra::base::Result<Surfaces> make_surfaces(const SurfaceInput& input, const dobra::scenario::Table& table,
                                             const dobra::scenario::UnitSystem& units);
 
+/// Whatever of the input can be drawn: surfaces as wide as their charts, with trims as lines that divide nothing, and
+/// the control points. What is refused is left out without a word.
+Surfaces drawn_surfaces(const SurfaceInput& input, const dobra::scenario::Table& table,
+                        const dobra::scenario::UnitSystem& units);
+
 }  // namespace quebra::surfaces

@@ -129,18 +129,19 @@ std::size_t rows_of(const SurfaceParams& params) {
 
 ChartUnits chart_units(SurfaceKind kind, const scenario::UnitSystem& units) {
   const double metre = units.to_si(1.0, "m");
+  const std::string length = units.unit("m"), angle = "\u00b0";
   switch (kind) {
     case SurfaceKind::Plane:
     case SurfaceKind::Graph:
-      return {metre, metre};
+      return {metre, metre, length, length};
     case SurfaceKind::Cylinder:
     case SurfaceKind::Cone:
-      return {degree, metre};
+      return {degree, metre, angle, length};
     case SurfaceKind::Sphere:
     case SurfaceKind::Torus:
-      return {degree, degree};
+      return {degree, degree, angle, angle};
     case SurfaceKind::Revolved:
-      return {degree, 1.0};
+      return {degree, 1.0, angle, {}};
     default:
       return {};
   }

@@ -144,6 +144,7 @@ struct SurfaceParams {
 /// What the numbers of a chart are written in: factors that turn them into those of surf::Surface.
 struct ChartUnits {
   double u = 1.0, v = 1.0;
+  std::string u_name = {}, v_name = {};  ///< Of the units; empty: a parameter.
   [[nodiscard]] dobra::geom::Point in(dobra::geom::Point written) const { return {u * written.x, v * written.y}; }
   [[nodiscard]] dobra::geom::Point out(dobra::geom::Point chart) const { return {chart.x / u, chart.y / v}; }
 };

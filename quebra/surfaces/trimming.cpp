@@ -334,6 +334,12 @@ Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::Sur
   return {};
 }
 
+std::vector<ChartLine> Trimming::drawn_lines() const {
+  std::vector<ChartLine> lines;
+  for (const Drawn& drawn : drawn_) lines.push_back({drawn.edges, kind_of(drawn.role)});
+  return lines;
+}
+
 std::vector<model::ChosenPart> Trimming::chosen(std::size_t face) const {
   std::vector<model::ChosenPart> all;
   for (const Picked& part : parts_) all.push_back({face, part.at, part.fate == PartFate::Keep});

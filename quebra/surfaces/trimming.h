@@ -36,6 +36,8 @@ class Trimming {
   dobra::base::Result<dobra::surf::trim::TrimmedSurface> face(dobra::surf::trim::SharedNumbers& numbers,
                                                               std::vector<dobra::surf::mesh::Finding>& findings,
                                                               model::SurfaceParts& parts) const;
+  /// The trims that were added, as lines that divide nothing.
+  [[nodiscard]] std::vector<dobra::surf::trim::ChartLine> drawn_lines() const;
   /// Where the parts that were added lie, and whether they stay.
   [[nodiscard]] std::vector<model::ChosenPart> chosen(std::size_t face) const;
 

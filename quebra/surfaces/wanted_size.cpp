@@ -1,12 +1,11 @@
 #include "quebra/surfaces/wanted_size.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "quebra/meshing/size_source.h"
 #include "shared/base/formula.h"
 #include "shared/surf/trim/finding.h"
 #include "shared/surf/trim/rings.h"
@@ -21,26 +20,11 @@ using geom::Point;
 using geom::Point3;
 using surf::trim::TrimmedSurface;
 
+using meshing::is_size;
+using meshing::no_size;
+
 namespace {
-
-bool is_size(double value) { return value > 0.0 && std::isfinite(value); }
-
-Error no_size(double value, const base::Place& place) {
-  const char* const whose = "size_formula";
-  if (!std::isfinite(value))
-    return {ErrorCode::BadValue,
-            fmt::format("{} has no finite value here; sizes must be: bound it, as with min(..., 1), or leave out where "
-                        "it is not defined",
-                        whose),
-            place};
-  return {
-      ErrorCode::BadValue,
-      fmt::format(
-          "{} gives the size {:.6g} m here; sizes must be greater than 0: bound it from below, as with max(..., 0.01)",
-          whose, value),
-      place};
-}
-
+constexpr const char* whose = "size_formula";
 }  // namespace
 
 struct WantedSize::State {
@@ -60,7 +44,7 @@ struct WantedSize::State {
   double asked(Point uv, Point3 p) {
     const double value = at(uv, p);
     if (!is_size(value) && !fault && meant(uv))
-      fault = no_size(value, {.x = p.x, .y = p.y, .z = p.z, .u = uv.x, .v = uv.y});
+      fault = no_size(whose, value, {.x = p.x, .y = p.y, .z = p.z, .u = uv.x, .v = uv.y});
     return value;
   }
 };
@@ -68,7 +52,7 @@ struct WantedSize::State {
 Result<WantedSize> WantedSize::make(const std::string& text, const std::optional<geom::Vector>& units) {
   std::vector<std::string> names{"x", "y", "z"};
   if (units) names.insert(names.end(), {"u", "v"});
-  auto formula = base::Formula::make(text, names, {.called = "size_formula", .whole = {}, .begin = 0});
+  auto formula = base::Formula::make(text, names, {.called = whose, .whole = {}, .begin = 0});
   if (!formula) {
     Error error = formula.error();
     if (!units) error.message += "; u and v are known where one face is meshed that touches no pole";
@@ -92,7 +76,7 @@ Result<void> WantedSize::on_border(const TrimmedSurface& face) const {
       for (int i = 0; i <= places; ++i) {
         const Point uv = edge.at(std::lerp(edge.from, edge.to, static_cast<double>(i) / places));
         const double value = state_->at(uv, face.surface.at(uv));
-        if (!is_size(value)) return no_size(value, surf::trim::place_of(face.surface, uv));
+        if (!is_size(value)) return no_size(whose, value, surf::trim::place_of(face.surface, uv));
       }
     }
   }

@@ -51,12 +51,18 @@ void call_by_wholes(const section::Section& section, std::vector<io::lines::Feat
 
 }  // namespace
 
+void add_file(CLI::App& app, std::string& file, const std::string& help) {
+  app.add_option("file", file, help)->required()->type_name("FILE");
+}
+
+void add_out_file(CLI::App& app, std::optional<std::filesystem::path>& out, const std::string& what) {
+  app.add_option("--out", out, what + " to write")->type_name("FILE");
+}
+
 void SectionOptions::add(CLI::App& app, const std::vector<dobra::cli::OptionOf>& input_keys) {
-  app.add_option("file", file,
-                 fmt::format("The section: a scenario (.toml), or lines ({})",
-                             fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
-      ->required()
-      ->type_name("FILE");
+  add_file(app, file,
+           fmt::format("The section: a scenario (.toml), or lines ({})",
+                       fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")));
   lines.add(app, dobra::cli::LineOptions::Repairs::Offered);
   input.add(app, scenario::fields_of<input::SectionInput>(), input_keys);
 }
@@ -94,10 +100,9 @@ Result<scenario::Document> document_of(Session& session, const SectionOptions& o
 }
 
 void add_out(CLI::App& app, std::optional<std::filesystem::path>& out, const char* what) {
-  app.add_option("--out", out,
-                 fmt::format("Picture ({}), {} ({}) or scenario (.toml) to write", dobra::cli::picture_endings(), what,
-                             fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " ")))
-      ->type_name("FILE");
+  add_out_file(app, out,
+               fmt::format("Picture ({}), {} ({}) or scenario (.toml)", dobra::cli::picture_endings(), what,
+                           fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " ")));
 }
 
 Result<void> check_out(const std::optional<std::filesystem::path>& out) {

@@ -38,6 +38,10 @@ base::Result<dobra::scenario::Step> step_of(const dobra::cli::Session& session, 
 base::Result<dobra::scenario::Document> document_of(dobra::cli::Session& session, const SectionOptions& options,
                                                     const dobra::scenario::Table& lines);
 
+/// Adds FILE, which must be given.
+void add_file(CLI::App& app, std::string& file, const std::string& help);
+/// Adds --out. @param what  it writes.
+void add_out_file(CLI::App& app, std::optional<std::filesystem::path>& out, const std::string& what);
 /// Adds --out. @param what  the lines that it writes, such as "restored lines".
 void add_out(CLI::App& app, std::optional<std::filesystem::path>& out, const char* what);
 

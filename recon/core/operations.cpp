@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "recon/block/cut_input.h"
 #include "recon/core/area_balance_step.h"
 #include "recon/core/balance_step.h"
 #include "recon/core/carry_step.h"
@@ -17,6 +18,7 @@
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/section_picture.h"
+#include "recon/core/space_steps.h"
 #include "recon/core/target_step.h"
 #include "recon/input/colors.h"
 #include "recon/input/drawing.h"
@@ -35,11 +37,41 @@ namespace {
 
 base::Result<scenario::State> read_input(const scenario::Table& table, const scenario::Context& context,
                                          const base::Progress& progress) {
-  DOBRA_TRY(input::ReadSection read, read_section(scenario::from_table<input::SectionInput>(table), context, progress));
+  const auto input = scenario::from_table<input::SectionInput>(table);
   model::Model model;
+  if (!input.placed_sections.empty()) {
+    DOBRA_TRY(space::PlacedSections placed, space::read_placed(input, context, progress));
+    model.remarks = placed.remarks;
+    model.findings.set(std::move(placed), {});
+    return scenario::make_state(std::move(model));
+  }
+  DOBRA_TRY(input::ReadSection read, read_section(input, context, progress));
+  if (!input.cut.empty()) {
+    DOBRA_TRY(read, block::cut_through(std::move(read), input));
+  }
   model.section = std::move(read.section);
   model.remarks = std::move(read.remarks);
+  model.trace = read.trace;
+  if (input.cut.empty()) model.along_strike = input.along_strike.value_or(0.0);
   return scenario::make_state(std::move(model));
+}
+
+/// Sections in space are no section that could be restored, until one is cut from the surfaces through them.
+bool has_section(const model::Model& model) {
+  return !model.section.horizons.empty() || !model.section.units.empty() || !model.earlier.empty();
+}
+
+scenario::Operation for_one_section(scenario::Operation operation) {
+  operation.run = [run = std::move(operation.run)](const scenario::State& state, const scenario::Table& table,
+                                                   const scenario::Context& context,
+                                                   const base::Progress& progress) -> base::Result<scenario::State> {
+    if (!has_section(scenario::model_of<model::Model>(state)))
+      return base::Error{base::ErrorCode::CannotRestore,
+                         "the document holds several sections in space; cut one from the surfaces through them (steps "
+                         "'surface' and 'cut'), or open the file of one"};
+    return run(state, table, context, progress);
+  };
+  return operation;
 }
 
 /// Of the section, and of the chain from its second stage on.
@@ -145,10 +177,18 @@ scenario::Program make_program() {
   recon.results = scenario::make_results<model::Model>({.quantities = add_section_quantities,
                                                         .tables = add_chain_tables,
                                                         .remarks = add_section_remarks,
-                                                        .draw = draw_section});
+                                                        .draw =
+                                                            [](const model::Model& model, scene::Picture& picture) {
+                                                              has_section(model) ? draw_section(model, picture)
+                                                                                 : draw_placed(model, picture);
+                                                            },
+                                                        .draw_space = draw_placed_in_space});
   recon.operations = {grid_step(),   target_step(),      restore_step(), move_step(),         join_step(),
                       carry_step(),  monte_carlo_step(), balance_step(), area_balance_step(), faults_step(),
                       invert_step(), predict_step(),     offset_step()};
+  for (scenario::Operation& operation : recon.operations) operation = for_one_section(std::move(operation));
+  recon.operations.push_back(surface_step());
+  recon.operations.push_back(cut_step());
   recon.names_of = [](const scenario::State& state, const std::string& what) {
     return names_of(scenario::model_of<model::Model>(state), what);
   };

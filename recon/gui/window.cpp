@@ -16,6 +16,8 @@ dobra::gui::WindowPart window_part() {
                   {"listric.toml", "Two listric faults", "Normal faults undone by vertical shear, the younger first."},
                   {"thrust.toml", "Thrust with a ramp", "A fault-bend fold moved back along its thrust."},
                   {"cosine.toml", "Cosine fold", "Offset curves of a fold, flattened."},
+                  {"space.toml", "Sections in space", "Surfaces through four sections, and a fifth cut and restored."},
+                  {"fault_block.toml", "Fault block", "A section carried along strike, cut at an angle, and restored."},
               },
           .tools = {{.name = "pin",
                      .text = "Pin",

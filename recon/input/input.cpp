@@ -17,6 +17,7 @@
 #include "recon/input/topography.h"
 #include "recon/input/unit_horizons.h"
 #include "recon/section/crossings.h"
+#include "recon/section/file_rounding.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/place.h"
 #include "shared/io/lines/section_ends.h"
@@ -221,7 +222,7 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
 
 /// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there.
 void tell_open_ends(const section::Section& section, std::vector<std::string>& remarks) {
-  const double near = 1e-6 * box_of(section).diagonal();  // what files round
+  const double near = rounding_of_files(section);
   for (const section::Horizon& horizon : section.horizons) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       if (is_outermost(section, horizon, end)) continue;
@@ -330,6 +331,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
     }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
+  result.trace = settings.trace ? settings.trace : plane;
   DOBRA_TRY_VOID(set_ends(input, settings, plane, result.section));
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));

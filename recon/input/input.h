@@ -18,6 +18,8 @@ namespace recon::input {
 struct ReadSection {
   section::Section section;
   std::vector<std::string> remarks;  ///< Repairs and doubts, one line each.
+  /// The plane that it stands in, as the input says or as lines in space were laid into it.
+  std::optional<dobra::io::lines::Trace> trace = std::nullopt;
 };
 
 /// @error BadSection (no horizon, the same name twice, a line that crosses itself), MissingKey, BadValue,

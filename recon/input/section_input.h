@@ -33,6 +33,32 @@ struct BackdropInput {
   }
 };
 
+/// One [[input.section]]: a section of its own, and where it stands on the map.
+struct PlacedSectionInput {
+  std::string name;
+  std::string file;
+  std::vector<double> trace;
+  template <class D>
+  static void describe(D& d) {
+    d.field("name", &PlacedSectionInput::name, {.title = "Name", .help = "By default that of the file."});
+    d.file("file", &PlacedSectionInput::file,
+           {.title = "File",
+            .help = "A scenario of RECON (.toml), whose input is meant, or lines in any format.",
+            .files = placed_file_kinds(),
+            .presence = dobra::scenario::Presence::Required});
+    d.field("trace", &PlacedSectionInput::trace,
+            {.title = "Trace on the map",
+             .help = "x0, y0, x1, y1 and further corners, from the left end of the section; by default that of its "
+                     "scenario.",
+             .unit = "m"});
+  }
+  static std::vector<dobra::scenario::FileKind> placed_file_kinds() {
+    auto kinds = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines});
+    kinds.insert(kinds.begin(), {"Scenarios", {".toml"}});
+    return kinds;
+  }
+};
+
 enum class SelfCrossings { Refuse, CutLoops };
 enum class AboveTopography { Leave, Restore };
 
@@ -64,10 +90,13 @@ struct SectionInput {
   std::vector<double> fold_axis;
   double plane_tolerance = 1e-3;
   std::vector<LinesInput> lines;
+  std::vector<PlacedSectionInput> placed_sections;
   std::vector<HorizonInput> eroded;
   bool horizons_from_units = false;
   std::string colors;
   std::string orientation;
+  std::optional<double> along_strike;
+  std::vector<double> cut;
   template <class D>
   static void describe(D& d) {
     dobra::scenario::lines::LineKeys<SectionInput, D> keys(d);
@@ -96,6 +125,10 @@ struct SectionInput {
     d.tables("eroded", &SectionInput::eroded, {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
     d.tables("lines", &SectionInput::lines,
              {.title = "Files of many lines", .help = "Each line becomes what its kind says, a horizon without one."});
+    d.tables(
+        "section", &SectionInput::placed_sections,
+        {.title = "Sections in space",
+         .help = "Several sections with their traces on the map, instead of the lines of one; for surface and cut."});
     d.field("horizons_from_units", &SectionInput::horizons_from_units,
             {.title = "Horizons from units",
              .help = "Edges that polygons share become horizons, named by the unit below; none along faults."});
@@ -120,6 +153,17 @@ struct SectionInput {
         "orientation", &SectionInput::orientation,
         {.title = "Orientation",
          .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
+    d.field("along_strike", &SectionInput::along_strike,
+            {.title = "Length along strike",
+             .help = "Of the block that the section stands for: its beds go on like this, into the picture.",
+             .unit = "m",
+             .above = 0.0});
+    d.field("cut", &SectionInput::cut,
+            {.title = "Cut through the block",
+             .help = "x and y of the beginning and the end of a trace on the map: the section that the vertical plane "
+                     "over it cuts out of the block takes the place of the one that was drawn.",
+             .unit = "m",
+             .when = "along_strike is set"});
   }
 };
 

@@ -3,11 +3,13 @@
 // a section, how it was restored or moved, and with that the section of the next. Page: docs/algorithms/chain.md
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "recon/model/findings.h"
 #include "recon/model/stage.h"
+#include "shared/io/lines/feature.h"
 
 namespace recon::model {
 
@@ -16,6 +18,8 @@ struct Model : Stage {
   std::vector<std::string> remarks;                   ///< On the input.
   std::vector<std::shared_ptr<const Stage>> earlier;  ///< Stages that are done, the input's first.
   Findings findings;                                  ///< Of the steps that leave section and chain as they are.
+  double along_strike = 0.0;                          ///< Of the block that the input stands for, m; 0: not said.
+  std::optional<dobra::io::lines::Trace> trace;       ///< Where the input stands on the map, if that is known.
 };
 
 /// The section as it was read (with a topography as a horizon, where the first grid stands on one).

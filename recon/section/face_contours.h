@@ -8,32 +8,43 @@
 
 namespace recon::section {
 
-/// The boundary of the faces, for which and no others `within` holds, without edges that have them on both sides:
-/// anticlockwise, holes clockwise.
+/// The boundary of the faces, for which and no others `within` holds, without edges that have them on both sides: loops
+/// of half-edges, the faces on their left.
 template <class Within>
-std::vector<geom::Polyline> contours_round(const Arrangement& arrangement, const std::vector<topo::FaceId>& faces,
-                                           Within&& within) {
+std::vector<std::vector<topo::HalfEdgeId>> loops_round(const Arrangement& arrangement,
+                                                       const std::vector<topo::FaceId>& faces, Within&& within) {
   const topo::Subdivision& sub = arrangement.subdivision();
   const auto bounds = [&](topo::HalfEdgeId h) {
     return within(sub.face(h)) && !within(sub.face(topo::Structure::twin(h)));
   };
-  std::vector<geom::Polyline> contours;
+  std::vector<std::vector<topo::HalfEdgeId>> loops;
   std::set<topo::HalfEdgeId> used;
   for (const topo::FaceId f : faces) {
     for (const topo::LoopId loop : sub.loops(f)) {
       for (const topo::HalfEdgeId start : sub.half_edges(loop)) {
         if (!bounds(start) || used.contains(start)) continue;
-        geom::Polyline contour{{}, true};
+        std::vector<topo::HalfEdgeId>& round = loops.emplace_back();
         topo::HalfEdgeId h = start;
         do {
           used.insert(h);
-          arrangement.append(h, contour.points);
+          round.push_back(h);
           h = sub.next(h);
           while (!bounds(h)) h = sub.next(topo::Structure::twin(h));
         } while (h != start);
-        contours.push_back(std::move(contour));
       }
     }
+  }
+  return loops;
+}
+
+/// Their courses: anticlockwise, holes clockwise.
+template <class Within>
+std::vector<geom::Polyline> contours_round(const Arrangement& arrangement, const std::vector<topo::FaceId>& faces,
+                                           Within&& within) {
+  std::vector<geom::Polyline> contours;
+  for (const auto& loop : loops_round(arrangement, faces, within)) {
+    geom::Polyline& contour = contours.emplace_back(geom::Polyline{{}, true});
+    for (const topo::HalfEdgeId h : loop) arrangement.append(h, contour.points);
   }
   return contours;
 }

@@ -44,23 +44,28 @@ double swept(const geom::Polyline& line, geom::Point about) {
 /// The lines of a section as its arrangement numbers them: horizons, faults, topographies, the border.
 struct Numbered {
   std::vector<geom::Polyline> lines;
+  std::vector<std::string> names;
   std::vector<const SectionLine*> surfaces;  ///< Topographies.
   std::size_t first_surface = 0;             ///< Their first number.
 };
 
 Numbered lines_of(const Section& section) {
   Numbered numbered;
-  for (const Horizon& horizon : section.horizons) numbered.lines.push_back(horizon.line);
+  const auto add = [&](const geom::Polyline& line, std::string name) {
+    numbered.lines.push_back(line);
+    numbered.names.push_back(std::move(name));
+  };
+  for (const Horizon& horizon : section.horizons) add(horizon.line, "horizon " + horizon.name);
   for (const SectionLine& line : section.lines) {
-    if (line.kind == LineKind::Fault) numbered.lines.push_back(line.line);
+    if (line.kind == LineKind::Fault) add(line.line, "fault " + line.name);
   }
   numbered.first_surface = numbered.lines.size();
   for (const SectionLine& line : section.lines) {
     if (line.kind != LineKind::Topography) continue;
     numbered.surfaces.push_back(&line);
-    numbered.lines.push_back(line.line);
+    add(line.line, "topography " + line.name);
   }
-  if (section.border) numbered.lines.push_back(*section.border);
+  if (section.border) add(*section.border, "border");
   return numbered;
 }
 
@@ -160,15 +165,19 @@ class Units {
     }
   }
 
-  /// The units that the faces fall into, from the top down.
-  [[nodiscard]] std::vector<RockUnit> of(const std::vector<FaceId>& faces) const {
+  /// Faces of one unit, -1: without a horizon over them, else the rank of that.
+  using Group = std::pair<std::ptrdiff_t, std::vector<FaceId>>;
+  /// What the faces fall into, from the top down.
+  [[nodiscard]] std::vector<Group> groups(const std::vector<FaceId>& faces) const {
     const std::map<FaceId, std::size_t> tops = tops_of(faces);
-    std::map<std::ptrdiff_t, std::vector<FaceId>> by_top;  // -1: no horizon over it
+    std::map<std::ptrdiff_t, std::vector<FaceId>> by_top;
     for (const FaceId f : faces) {
       const auto top = tops.find(f);
       by_top[top == tops.end() ? -1 : static_cast<std::ptrdiff_t>(top->second)].push_back(f);
     }
-    const std::vector<std::pair<std::ptrdiff_t, std::vector<FaceId>>> groups(by_top.begin(), by_top.end());
+    return {by_top.begin(), by_top.end()};
+  }
+  [[nodiscard]] std::vector<RockUnit> of(const std::vector<Group>& groups) const {
     return base::parallel_map<RockUnit>(groups.size(),
                                         [&](std::size_t i) { return unit_of(groups[i].first, groups[i].second); });
   }
@@ -421,17 +430,25 @@ std::vector<std::size_t> stack_order(const Section& section) {
   return order;
 }
 
-base::Result<SectionFaces> faces_of(const Section& as_given) {
+base::Result<SectionFaces> faces_of(const Section& section) {
+  DOBRA_TRY(UnitFaces made, unit_faces_of(section));
+  return std::move(made.found);
+}
+
+base::Result<UnitFaces> unit_faces_of(const Section& as_given) {
   Section section = as_given;
   rejoin_ends(section, near_ends * box_of(section).diagonal());
   const std::vector<std::size_t> order = stack_order(section);
   Numbered numbered = lines_of(section);
   const auto& surfaces = numbered.surfaces;
   const std::size_t first_surface = numbered.first_surface;
-  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(numbered.lines)));
-  SectionFaces made;
+  UnitFaces all{{}, std::move(numbered.names), {}, {}};
+  DOBRA_TRY(all.arrangement, Arrangement::make(std::move(numbered.lines)));
+  Arrangement& arrangement = all.arrangement;
+  SectionFaces& made = all.found;
   if (!section.border) {
     Sides sides = sides_of(section, order, surfaces, first_surface, arrangement);
+    all.lines.resize(all.lines.size() + sides.lines.size(), "side");
     DOBRA_TRY_VOID(arrangement.add(std::move(sides.lines)));
     if (!order.empty()) made.open = open_places(section, arrangement, sides.loose, order.back());
   }
@@ -456,9 +473,12 @@ base::Result<SectionFaces> faces_of(const Section& as_given) {
       faces.push_back(f);
     }
   }
-  made.units = Units(section, arrangement, order, {section.horizons.size(), first_surface}).of(faces);
+  const Units units(section, arrangement, order, {section.horizons.size(), first_surface});
+  std::vector<Units::Group> groups = units.groups(faces);
+  made.units = units.of(groups);
+  for (Units::Group& group : groups) all.faces.push_back(std::move(group.second));
   DOBRA_TRY(made.misfits, misfits_of(section));
-  return made;
+  return all;
 }
 
 std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& section) {

@@ -60,12 +60,22 @@ struct SectionFaces {
   std::vector<BareStretch> bare;
 };
 
+/// The subdivision that units are read off.
+struct UnitFaces {
+  Arrangement arrangement;
+  std::vector<std::string> lines;                ///< What each line of it is: "horizon A", "fault F", "border".
+  std::vector<std::vector<topo::FaceId>> faces;  ///< Of each of SectionFaces::units.
+  SectionFaces found;
+};
+
 /// The border is the section's own, or made of its first and last horizon and straight lines between the ends of
 /// neighbours (with a topography: from there on); what lies above a topography is air.
 /// @pre   no horizon meets itself.
 /// @error those of topo::insert and Arrangement::holders.
 /// @cost  O(n log n) for n points.
 base::Result<SectionFaces> faces_of(const Section& section);
+/// The same with the subdivision; straight lines that the border was made of are called "side".
+base::Result<UnitFaces> unit_faces_of(const Section& section);
 
 /// Indices of the horizons from the top down: of two that do not cross, the one that has the other on its right-hand
 /// side.

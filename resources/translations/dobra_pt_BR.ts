@@ -2096,6 +2096,22 @@
         <translation>Remover lascas</translation>
     </message>
     <message>
+        <source>Length along strike</source>
+        <translation>Comprimento ao longo da direção</translation>
+    </message>
+    <message>
+        <source>Of the block that the section stands for: its beds go on like this, into the picture.</source>
+        <translation>Do bloco que a seção representa: suas camadas seguem assim, para dentro da figura.</translation>
+    </message>
+    <message>
+        <source>Cut through the block</source>
+        <translation>Corte através do bloco</translation>
+    </message>
+    <message>
+        <source>x and y of the beginning and the end of a trace on the map: the section that the vertical plane over it cuts out of the block takes the place of the one that was drawn.</source>
+        <translation>x e y do início e do fim de um traço no mapa: a seção que o plano vertical sobre ele corta do bloco toma o lugar da que foi desenhada.</translation>
+    </message>
+    <message>
         <source>Fold axis</source>
         <translation>Eixo da dobra</translation>
     </message>
@@ -3360,8 +3376,8 @@
         <translation>Clique no ponto</translation>
     </message>
     <message>
-        <source>Click points: length and dip of each way, and from the third point on the area</source>
-        <translation>Clique em pontos: comprimento e mergulho de cada trecho; a partir do terceiro, a área</translation>
+        <source>Click points: length and direction of each way, and from the third point on the area</source>
+        <translation>Clique em pontos: comprimento e direção de cada trecho; a partir do terceiro, a área</translation>
     </message>
     <message>
         <source>A closed line needs three points that do not lie in line</source>
@@ -6127,8 +6143,8 @@
         <translation>De x e y: "0.1 + 0.05 * hypot(x, y)"; vale o menor de todos os tamanhos. Em superfícies, de x, y, z e, onde uma só recebe malha, de u e v da sua carta.</translation>
     </message>
     <message>
-        <source>Most by which sizes may grow from one element to the next; 1.2 on surfaces where left out.</source>
-        <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; 1,2 em superfícies onde for omitido.</translation>
+        <source>Most by which sizes may grow from one element to the next; 1.17 on surfaces where left out.</source>
+        <translation>O máximo que os tamanhos podem crescer de um elemento ao seguinte; 1,17 em superfícies onde for omitido.</translation>
     </message>
     <message>
         <source>What places the nodes inside: rows from the boundary inwards; one by one in a Delaunay triangulation, which is slower (plane domains only); or the front of the paper on surfaces, as it is written.</source>
@@ -6255,6 +6271,58 @@
         <translation>Linhas de u e v constantes</translation>
     </message>
     <message>
+        <source>(at %1, %2, %3)</source>
+        <translation>(em %1; %2; %3)</translation>
+    </message>
+    <message>
+        <source>(u = %1, v = %2)</source>
+        <translation>(u = %1; v = %2)</translation>
+    </message>
+    <message>
+        <source>{:.6g} {}, angle {:.1f}°</source>
+        <translation>{:.6g} {}, ângulo {:.1f}°</translation>
+    </message>
+    <message>
+        <source>angle {:.1f}°</source>
+        <translation>ângulo {:.1f}°</translation>
+    </message>
+    <message>
+        <source>Shells apart</source>
+        <translation>Cascas separadas</translation>
+    </message>
+    <message>
+        <source>Draws the shells of a solid away from each other</source>
+        <translation>Desenha as cascas de um sólido afastadas umas das outras</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arestas</translation>
+    </message>
+    <message>
+        <source>Faces that are cut</source>
+        <translation>Faces cortadas</translation>
+    </message>
+    <message>
+        <source>Mine pillar of solids</source>
+        <translation>Pilar de mina em sólidos</translation>
+    </message>
+    <message>
+        <source>Blocks, a dyke and bores, combined step by step; its section is meshed and analysed.</source>
+        <translation>Blocos, um dique e furos, combinados passo a passo; a seção é malhada e analisada.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constatações</translation>
+    </message>
+    <message>
+        <source>along the section</source>
+        <translation>ao longo do corte</translation>
+    </message>
+    <message>
+        <source>up the section</source>
+        <translation>corte acima</translation>
+    </message>
+    <message>
         <source>Control points</source>
         <translation>Pontos de controle</translation>
     </message>
@@ -6377,6 +6445,30 @@
     <message>
         <source>A plane contour with holes, moved along straight legs with mitred corners.</source>
         <translation>Um contorno plano com furos, movido por trechos retos com cantos em meia-esquadria.</translation>
+    </message>
+    <message>
+        <source>Corners of a closed contour; the first is joined to the first of the next profile.</source>
+        <translation>Vértices de um contorno fechado; o primeiro é unido ao primeiro do perfil seguinte.</translation>
+    </message>
+    <message>
+        <source>Direction in which its plane looks; z where left out.</source>
+        <translation>Direção para a qual seu plano está voltado; z se omitida.</translation>
+    </message>
+    <message>
+        <source>Two or more, each in front of the one before.</source>
+        <translation>Dois ou mais, cada um à frente do anterior.</translation>
+    </message>
+    <message>
+        <source>Profiles joined</source>
+        <translation>Perfis unidos</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Perfis</translation>
+    </message>
+    <message>
+        <source>Plane contours in space, each joined to the next by triangles.</source>
+        <translation>Contornos planos no espaço, cada um unido ao seguinte por triângulos.</translation>
     </message>
     <message>
         <source>Turned profile</source>
@@ -6645,6 +6737,106 @@
     <message>
         <source>Drawn in the section.</source>
         <translation>Desenhadas na seção.</translation>
+    </message>
+    <message>
+        <source>By default that of the file.</source>
+        <translation>Por padrão, o do arquivo.</translation>
+    </message>
+    <message>
+        <source>A scenario of RECON (.toml), whose input is meant, or lines in any format.</source>
+        <translation>Um cenário do RECON (.toml), do qual vale a entrada, ou linhas em qualquer formato.</translation>
+    </message>
+    <message>
+        <source>Trace on the map</source>
+        <translation>Traço no mapa</translation>
+    </message>
+    <message>
+        <source>x0, y0, x1, y1 and further corners, from the left end of the section; by default that of its scenario.</source>
+        <translation>x0, y0, x1, y1 e mais vértices, a partir da ponta esquerda da seção; por padrão, o do seu cenário.</translation>
+    </message>
+    <message>
+        <source>Sections in space</source>
+        <translation>Seções no espaço</translation>
+    </message>
+    <message>
+        <source>Fault block</source>
+        <translation>Bloco falhado</translation>
+    </message>
+    <message>
+        <source>A section carried along strike, cut at an angle, and restored.</source>
+        <translation>Uma seção levada ao longo da direção, cortada em ângulo e restaurada.</translation>
+    </message>
+    <message>
+        <source>Several sections with their traces on the map, instead of the lines of one; for surface and cut.</source>
+        <translation>Várias seções com seus traços no mapa, em lugar das linhas de uma; para surface e cut.</translation>
+    </message>
+    <message>
+        <source>x0, y0, x1, y1 and further corners: where the new section runs, from its left end to its right.</source>
+        <translation>x0, y0, x1, y1 e mais vértices: por onde passa a nova seção, da ponta esquerda à direita.</translation>
+    </message>
+    <message>
+        <source>Horizons and faults as surfaces through equally named lines of several sections.</source>
+        <translation>Horizontes e falhas como superfícies por linhas de mesmo nome em várias seções.</translation>
+    </message>
+    <message>
+        <source>Cut a section</source>
+        <translation>Cortar uma seção</translation>
+    </message>
+    <message>
+        <source>A new section where a trace crosses the surfaces; the steps behind work on it.</source>
+        <translation>Uma nova seção onde um traço cruza as superfícies; os passos seguintes trabalham nela.</translation>
+    </message>
+    <message>
+        <source>New section</source>
+        <translation>Nova seção</translation>
+    </message>
+    <message>
+        <source>GOCAD: surfaces</source>
+        <translation>GOCAD: superfícies</translation>
+    </message>
+    <message>
+        <source>Greatest mis-tie</source>
+        <translation>Maior desencontro</translation>
+    </message>
+    <message>
+        <source>Where two sections cross, lines of one name that are farther apart are refused, others meet half-way; by default 0.02 of the size of all.</source>
+        <translation>Onde duas seções se cruzam, linhas de um nome que distam mais são recusadas, as outras se encontram no meio; por padrão, 0.02 do tamanho do todo.</translation>
+    </message>
+    <message>
+        <source>Rows from section to section</source>
+        <translation>Fileiras de seção a seção</translation>
+    </message>
+    <message>
+        <source>Of triangles, in files, pictures and between the sections of a cut.</source>
+        <translation>De triângulos, em arquivos, imagens e entre as seções de um corte.</translation>
+    </message>
+    <message>
+        <source>Ends at faults</source>
+        <translation>Pontas em falhas</translation>
+    </message>
+    <message>
+        <source>A horizon that ends nearer to a fault than this part of its section&apos;s size ends at the fault.</source>
+        <translation>Um horizonte que termina mais perto de uma falha que esta parte do tamanho da seção termina na falha.</translation>
+    </message>
+    <message>
+        <source>Interval of contours</source>
+        <translation>Intervalo das curvas de nível</translation>
+    </message>
+    <message>
+        <source>Lines of one height every so many metres.</source>
+        <translation>Linhas de mesma altura a cada tantos metros.</translation>
+    </message>
+    <message>
+        <source>Surfaces through four sections, and a fifth cut and restored.</source>
+        <translation>Superfícies por quatro seções, e uma quinta cortada e restaurada.</translation>
+    </message>
+    <message>
+        <source>Simplify lines</source>
+        <translation>Simplificar linhas</translation>
+    </message>
+    <message>
+        <source>Vertices are dropped that are nearer than this to the line without them; 0 keeps all.</source>
+        <translation>Descartam-se vértices que distam menos que isso da linha sem eles; 0 mantém todos.</translation>
     </message>
 </context>
 </TS>

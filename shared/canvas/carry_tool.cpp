@@ -63,7 +63,7 @@ class CarryTool final : public Tool {
     if (!base_ || to_ == *base_) return overlay;
     for (const auto& [pick, line] : images(work)) overlay.lines.push_back(line);
     overlay.lines.push_back({{*base_, to_}, false});
-    overlay.texts.push_back({to_, measure_text(*base_, to_, work.unit)});
+    overlay.texts.push_back({to_, measure_text(*base_, to_, work.unit, work.direction)});
     return overlay;
   }
 

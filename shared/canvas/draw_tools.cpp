@@ -82,7 +82,7 @@ class DrawTool final : public PointsTool {
     if (points_.empty()) return overlay;
     overlay.lines = {shape_with(cursor_)};
     overlay.handles = points_;
-    overlay.texts = {{cursor_, measure_text(points_.back(), cursor_, work.unit)}};
+    overlay.texts = {{cursor_, measure_text(points_.back(), cursor_, work.unit, work.direction)}};
     return overlay;
   }
 
@@ -119,7 +119,7 @@ class DrawTool final : public PointsTool {
 class MeasureTool final : public PointsTool {
  public:
   [[nodiscard]] std::string hint() const override {
-    return translated("Click points: length and dip of each way, and from the third point on the area");
+    return translated("Click points: length and direction of each way, and from the third point on the area");
   }
   void press(Workspace&, const Pointer& pointer) override {
     if (std::exchange(ended_, false)) points_.clear();
@@ -138,7 +138,7 @@ class MeasureTool final : public PointsTool {
     if (way.points.back() != cursor_) way.points.push_back(cursor_);
     overlay.handles = way.points;
     if (way.points.size() < 2) return overlay;
-    std::string told = measure_text(way.points[way.points.size() - 2], way.points.back(), work.unit);
+    std::string told = measure_text(way.points[way.points.size() - 2], way.points.back(), work.unit, work.direction);
     if (way.points.size() > 2) {
       const Polyline ring{way.points, true};
       const LengthUnit& unit = work.unit;
@@ -159,13 +159,15 @@ class MeasureTool final : public PointsTool {
 
 }  // namespace
 
-std::string measure_text(Point from, Point to, const LengthUnit& unit) {
+std::string measure_text(Point from, Point to, const LengthUnit& unit, Direction direction) {
   const geom::Vector way = to - from;
   const double length = geom::length(way);
   if (length == 0.0) return fmt::format("{} {}", 0, unit.name);
-  const double dip = std::atan2(std::abs(way.y), std::abs(way.x)) * 180.0 / std::numbers::pi;
+  const bool dips = direction == Direction::Dip;
+  const double angle = dips ? std::atan2(std::abs(way.y), std::abs(way.x)) : std::atan2(way.y, way.x);
+  const std::string told = dips ? translated("{:.6g} {}, dip {:.1f}°") : translated("{:.6g} {}, angle {:.1f}°");
   return with_decimal_mark(
-      fmt::format(fmt::runtime(translated("{:.6g} {}, dip {:.1f}°")), length / unit.size, unit.name, dip));
+      fmt::format(fmt::runtime(told), length / unit.size, unit.name, angle * 180.0 / std::numbers::pi));
 }
 
 std::string made_by_a_step() {

@@ -151,7 +151,7 @@ class SelectTool final : public Tool {
     if (band_) overlay.lines.push_back(rectangle(band_->first, band_->second));
     if (moved_) {
       for (const scene::LineEdit& line : edit(Stage::During).lines) overlay.lines.push_back(line.becomes.front());
-      overlay.texts.push_back({to_, measure_text(start_, to_, work.unit)});
+      overlay.texts.push_back({to_, measure_text(start_, to_, work.unit, work.direction)});
     }
     return overlay;
   }

@@ -49,14 +49,17 @@ std::string selection_text(const Workspace& work) {
   return told.replace(told.find('\0'), 1, who);
 }
 
-std::string dip_text(const Workspace& work, const Snap& on) {
+std::string direction_text(const Workspace& work, const Snap& on) {
   const geom::Polyline* line = on.on && !work.empty() ? work.line(*on.on) : nullptr;
   if (line == nullptr || on.segment >= line->segment_count()) return {};
   const geom::Segment segment = line->segment(on.segment);
   const geom::Vector way = segment.to - segment.from;
   if (way.x == 0.0 && way.y == 0.0) return {};
-  const double dip = std::atan2(std::abs(way.y), std::abs(way.x)) * 180.0 / std::numbers::pi;
-  const std::string told = with_decimal_mark(fmt::format(fmt::runtime(translated("dip {:.1f}°")), dip));
+  const bool dips = work.direction == Direction::Dip;
+  const double sense = way.x < 0.0 || (way.x == 0.0 && way.y < 0.0) ? -1.0 : 1.0;
+  const double angle = dips ? std::atan2(std::abs(way.y), std::abs(way.x)) : std::atan2(sense * way.y, sense * way.x);
+  const std::string words = dips ? translated("dip {:.1f}°") : translated("angle {:.1f}°");
+  const std::string told = with_decimal_mark(fmt::format(fmt::runtime(words), angle * 180.0 / std::numbers::pi));
   const std::string name = work.name(*on.on);
   return name.empty() ? told : fmt::format("{} ({})", told, name);
 }

@@ -17,8 +17,9 @@ Selection other_lines(const Workspace& work);
 /// "Top: 125.3 m, 12 vertices"; of several lines how many, and their sums. Empty where nothing is selected.
 std::string selection_text(const Workspace& work);
 
-/// The dip of a segment, whatever the exaggeration of the view: "dip 30.2°", "dip 30.2° (Top)".
-std::string dip_text(const Workspace& work, const Snap& on);
+/// The direction of a segment, whatever the exaggeration of the view: "dip 30.2°", "dip 30.2° (Top)", or "angle
+/// -30.2°", from the first axis to the segment as a line without ends, above -90 up to 90.
+std::string direction_text(const Workspace& work, const Snap& on);
 
 /// Round the selected vertices, or where there are none the selected lines; empty where nothing is selected.
 geom::Box selection_box(const Workspace& work);

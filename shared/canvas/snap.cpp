@@ -61,8 +61,10 @@ double nearest_multiple(double value, double step) {
 
 std::optional<Snap> on_grid(Point cursor, const SnapWish& wish) {
   if (!(wish.grid > 0.0)) return std::nullopt;
-  const Point node{nearest_multiple(cursor.x, wish.grid),
-                   nearest_multiple(cursor.y, wish.grid_y > 0.0 ? wish.grid_y : wish.grid)};
+  const geom::Vector from = cursor - wish.grid_origin;
+  const double across = wish.grid_y > 0.0 ? wish.grid_y : wish.grid;
+  const Point node =
+      wish.grid_origin + geom::Vector{nearest_multiple(from.x, wish.grid), nearest_multiple(from.y, across)};
   if (Page{wish.exaggeration}.distance(cursor, node) > wish.reach) return std::nullopt;
   return Snap{SnapKind::Grid, node};
 }

@@ -33,8 +33,9 @@ struct SnapWish {
   double exaggeration = 1.0;  ///< Of the panel: along y the reach is that much smaller.
   std::set<SnapKind> kinds = {SnapKind::Vertex, SnapKind::Intersection, SnapKind::OnLine, SnapKind::Perpendicular};
   std::optional<geom::Point> from = std::nullopt;  ///< The place before: Perpendicular and Angle need one.
-  double grid = 0.0;                               ///< Spacing of the grid through the origin, m; 0: none.
+  double grid = 0.0;                               ///< Spacing of the grid, m; 0: none.
   double grid_y = 0.0;                             ///< Along y; 0: as along x.
+  geom::Point grid_origin{};                       ///< The grid goes through it.
   double angle_step = 15.0;                        ///< Degrees; true angles, whatever the exaggeration.
   std::set<scene::Pick> without = {};              ///< Lines that are not looked at.
   const std::set<scene::Pick>* only = nullptr;     ///< If given, no others are.

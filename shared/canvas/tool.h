@@ -104,9 +104,11 @@ std::unique_ptr<Tool> make_carry_tool(Carrying carrying);
 /// The outline of what is selected, with its vertices as handles.
 void show_selection(const Workspace& work, Overlay& overlay);
 
-/// Length and direction of a way: "125.3 m, 30.2°" (dip: below the horizontal, to the side where it falls). Here and in
-/// all that is shown beside the cursor, decimals stand behind the user's mark.
-std::string measure_text(geom::Point from, geom::Point to, const LengthUnit& unit = {});
+/// Length and direction of a way: "125.3 m, dip 30.2°" (below the horizontal, to the side where it falls) or "125.3 m,
+/// angle -30.2°" (from the first axis, anticlockwise). Here and in all that is shown beside the cursor, decimals stand
+/// behind the user's mark.
+std::string measure_text(geom::Point from, geom::Point to, const LengthUnit& unit = {},
+                         Direction direction = Direction::Dip);
 
 /// Why a line cannot be edited, and where it can.
 std::string made_by_a_step();

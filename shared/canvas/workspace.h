@@ -22,6 +22,9 @@ struct LengthUnit {
   double size = 1.0;  ///< World.
 };
 
+/// What is told of the direction of a line: its dip in a section, its angle to the first axis elsewhere.
+enum class Direction { Dip, Angle };
+
 class Workspace {
  public:
   /// Another picture, or another panel of it. Of the selection stays what is still there.
@@ -57,6 +60,7 @@ class Workspace {
 
   Selection selection;
   LengthUnit unit;
+  Direction direction = Direction::Dip;
 
  private:
   std::shared_ptr<const scene::Picture> picture_;

@@ -174,4 +174,14 @@ base::Result<std::vector<std::string>> Staging::commit() {
   return names;
 }
 
+base::Result<void> write_whole(const Session& session, const fs::path& out,
+                               const std::function<base::Result<void>(const fs::path&)>& write) {
+  DOBRA_TRY(Staging staging, Staging::open(out.parent_path(), TargetFolder::MustExist));
+  if (const auto written = write(staging.path(out.filename().string())); !written)
+    return staging.for_user(written.error());
+  DOBRA_TRY_VOID(session.check());
+  DOBRA_TRY_VOID(staging.commit());
+  return {};
+}
+
 }  // namespace dobra::cli

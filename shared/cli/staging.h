@@ -4,10 +4,12 @@
 // left are removed by the next one.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/cli/session.h"
 
 namespace dobra::cli {
 
@@ -47,5 +49,11 @@ class Staging {
   std::vector<std::filesystem::path>
       created_;  ///< Target and its parents, as far as they were made here; the deepest last.
 };
+
+/// One file, whole or not at all.
+/// @param write  to the path that it is given.
+/// @error that of `write`, naming `out`; CannotWrite; Cancelled if the user stopped the work meanwhile.
+base::Result<void> write_whole(const Session& session, const std::filesystem::path& out,
+                               const std::function<base::Result<void>(const std::filesystem::path&)>& write);
 
 }  // namespace dobra::cli

@@ -211,6 +211,8 @@ void Canvas::select(canvas::Selection selection) {
 }
 
 void Canvas::use_unit() {
+  const bool is_section = session_.program().drawing.height == "z";
+  work_.direction = is_section ? canvas::Direction::Dip : canvas::Direction::Angle;
   if (panel_ >= view_.panel_count()) return;
   const scene::Axes& axes = view_.axes(panel_);
   const std::size_t open = axes.x_title.rfind('[');
@@ -252,6 +254,10 @@ std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardMod
     wish.kinds.insert(canvas::SnapKind::Grid);
     wish.grid = step.x;
     wish.grid_y = step.y;
+    // A tick that says 0, in sight or not.
+    const scene::Axes& axes = view_.axes(panel_);
+    if (axes.x_reading) wish.grid_origin.x = axes.x_reading->to_world(0.0);
+    if (axes.y_reading) wish.grid_origin.y = axes.y_reading->to_world(0.0);
   }
   if (angles_ != keys.testFlag(Qt::ShiftModifier)) wish.kinds.insert(canvas::SnapKind::Angle);
   if (snapping_ && tool_->snaps() && !keys.testFlag(Qt::AltModifier)) pointer.snap = work_.snaps().at(spot->at, wish);
@@ -339,7 +345,7 @@ bool Canvas::entry_key(const QEvent& event) {
   return key == canvas::Key::Enter || key == canvas::Key::Escape;  // the view below is not to have them too
 }
 
-/// Lengths are typed in the unit of the axes.
+/// Lengths are typed in the unit of the axes, places as the axes say them.
 void Canvas::enter() {
   const double unit = work_.unit.size;
   canvas::EntryContext context{.last = tool_->last()};
@@ -349,7 +355,14 @@ void Canvas::enter() {
   const std::optional<geom::Point> meant = number ? tool_->place_of_number(*number) : std::nullopt;
   base::Result<geom::Point> place =
       meant ? base::Result<geom::Point>(*meant) : canvas::parse_entry(entry_->text().toStdString(), context);
+  const QString typed_words = entry_->text().trimmed();
+  const bool is_place = place && !meant && !number && !typed_words.startsWith('@') && !typed_words.contains('<');
   if (place && !meant && unit != 1.0) place = geom::Point{place->x * unit, place->y * unit};
+  if (is_place && panel_ < view_.panel_count()) {
+    const scene::Axes& axes = view_.axes(panel_);
+    if (axes.x_reading) place->x = axes.x_reading->to_world(place->x / unit);
+    if (axes.y_reading) place->y = axes.y_reading->to_world(place->y / unit);
+  }
   if (!place) {
     say(text_of(place.error().message));
     return;
@@ -380,7 +393,7 @@ void Canvas::hover(const QMouseEvent& event) {
   }
   const bool other = (found ? found->on : std::nullopt) != (hovered_ ? hovered_->on : std::nullopt);
   hovered_ = std::move(found);
-  emit over_line(hovered_ ? text_of(canvas::dip_text(work_, *hovered_)) : QString());
+  emit over_line(hovered_ ? text_of(canvas::direction_text(work_, *hovered_)) : QString());
   if (other) sheet_->update();
 }
 

@@ -158,6 +158,7 @@ void MainWindow::changeEvent(QEvent* event) {
   if (event->type() != QEvent::PaletteChange || results_ == nullptr) return;
   // Behind the children, which hear of it later.
   QTimer::singleShot(0, this, [this] {
+    error_bar_->take_colors();
     show_canvas();
     form_->form()->commit();
     form_->forget();
@@ -453,6 +454,7 @@ void MainWindow::show_run_started() {
     error_.reset();
     error_bar_->clear();
     view_->clear_place();
+    space_->show_place(std::nullopt);
   }
   actions_.refresh();
   if (player_.watching()) return;  // Many short runs, one after the other.
@@ -475,6 +477,7 @@ void MainWindow::show_outcome() {
   error_.reset();
   error_bar_->clear();
   view_->clear_place();
+  space_->show_place(std::nullopt);
   // A marker on its way may pass places where nothing can be made: what was there last stays in sight.
   if (!space_->drags() || outcome.space != nullptr) show_picture();
   fit_next_ = outcome.picture == nullptr;
@@ -492,18 +495,28 @@ void MainWindow::show_outcome() {
 
 void MainWindow::show_picture() {
   if (!session_.outcome()) return;
-  scene::Picture with_asked = picture_shown();
-  add_asked_panel(with_asked);
-  const auto picture = std::make_shared<const scene::Picture>(std::move(with_asked));
-  scene::Picture wanted = layers_->chosen(*picture);
-  without_colors(wanted);
-  scene::Picture listed = wanted;
+  const scene::Picture picture = picture_wanted();
+  scene::Picture listed = layers_->chosen(picture);
+  has_plane_ = !picture.panels.empty();
   show_space(space_shown(listed));
   layers_->show_picture(listed);
-  actions_.refresh();                                // switches of layers
-  if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more
-  view_->set_picture(wanted, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
-  canvas_->show_outcome(picture);
+  actions_.refresh();                      // switches of layers
+  if (!has_plane_) return show_nothing();  // what was there is not the document's any more
+  show_plane(picture);
+}
+
+scene::Picture MainWindow::picture_wanted() {
+  scene::Picture picture = picture_shown();
+  add_asked_panel(picture);
+  add_section_panel(picture);
+  return picture;
+}
+
+void MainWindow::show_plane(const scene::Picture& picture) {
+  scene::Picture wanted = layers_->chosen(picture);
+  without_colors(wanted);
+  view_->set_picture(std::move(wanted), fit_next_ ? Looking::AtAll : Looking::WhereItDid);
+  canvas_->show_outcome(std::make_shared<const scene::Picture>(picture));
 }
 
 void MainWindow::show_nothing() {
@@ -525,6 +538,7 @@ void MainWindow::show_error(const base::Error& error) {
   const documents::OutcomePtr& outcome = session_.outcome();
   const bool of_run = outcome && outcome->run.error && outcome->run.error->message == error.message;
   const bool has_place = error.place && error.place->x && error.place->y;
+  if (error.place) mark_place(*error.place);
   const QString said =
       of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step) : in_words(error);
   error_bar_->say(said, of_run || has_place ? mending::ErrorBar::CanShow::Yes : mending::ErrorBar::CanShow::No);
@@ -546,7 +560,38 @@ void MainWindow::go_to_error() {
     steps_->select(std::min(session_.outcome()->run.failed_step, session_.document().steps.size()));
     mark_error();
   }
-  if (error_->place && error_->place->x && error_->place->y) view_->show_place({*error_->place->x, *error_->place->y});
+  if (error_->place) go_to_place(*error_->place);
+}
+
+/// The panel whose axes say u and v there, with the place in it: the one that is called after the item of the place, or
+/// the only one that it can be.
+std::optional<std::pair<std::size_t, geom::Point>> MainWindow::place_in_plane(const base::Place& place) const {
+  if (!place.u || !place.v) return std::nullopt;
+  const std::size_t quote = place.item.find('\'');
+  const std::string name = quote == std::string::npos ? std::string() : place.item.substr(quote + 1);
+  std::vector<std::pair<std::size_t, geom::Point>> found;
+  for (std::size_t i = 0; i < view_->panel_count(); ++i) {
+    const scene::Axes& axes = view_->axes(i);
+    if (!axes.x_reading || !axes.y_reading) continue;
+    const std::pair<std::size_t, geom::Point> here(
+        i, {axes.x_reading->to_world(*place.u), axes.y_reading->to_world(*place.v)});
+    if (!name.empty() && (view_->panel_title(i) + "'").ends_with(" " + name)) return here;
+    found.push_back(here);
+  }
+  return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
+}
+
+void MainWindow::mark_place(const base::Place& place) {
+  if (!place.x || !place.y || !place.z) return;
+  space_->show_place(geom::Point3{*place.x, *place.y, *place.z});
+  if (const auto shown = place_in_plane(place)) view_->mark_place(shown->first, shown->second);
+}
+
+/// In space it is marked already.
+void MainWindow::go_to_place(const base::Place& place) {
+  if (!place.x || !place.y) return;
+  if (!place.z) return view_->show_place({*place.x, *place.y});
+  if (const auto shown = place_in_plane(place)) view_->show_place(shown->first, shown->second);
 }
 
 }  // namespace dobra::gui

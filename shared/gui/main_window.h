@@ -174,6 +174,13 @@ class MainWindow : public QMainWindow {
   /// Brings the panel into sight in which the item is drawn.
   void ask_for_panel(const stage::ItemAt& item);
   void add_asked_panel(scene::Picture& picture);
+  /// Of what the section plane cuts, in the plane; made again as the plane moves.
+  [[nodiscard]] std::optional<SectionMade> section_by(const scene::space::CutPlane& plane);
+  void add_section_panel(scene::Picture& picture);
+  void show_moved_section();
+  /// As it is listed: with the panels that were asked for.
+  [[nodiscard]] scene::Picture picture_wanted();
+  void show_plane(const scene::Picture& picture);
   void ask_save_space_picture();
   [[nodiscard]] scene::Picture picture_shown() const;
   /// Whether the program has an operation that can be watched at work.
@@ -238,6 +245,9 @@ class MainWindow : public QMainWindow {
   void show_outcome();
   void show_error(const base::Error& error);
   void go_to_error();
+  void go_to_place(const base::Place& place);
+  void mark_place(const base::Place& place);
+  [[nodiscard]] std::optional<std::pair<std::size_t, geom::Point>> place_in_plane(const base::Place& place) const;
   void mark_error();
   [[nodiscard]] std::vector<PartState> part_states() const;
 
@@ -253,8 +263,9 @@ class MainWindow : public QMainWindow {
   stage::SectionBar* section_ = nullptr;
   stage::SpaceWidget* space_ = nullptr;
   std::string
-      asked_panel_;      ///< Of the plane, that the picture does not have: what was clicked in space is drawn there.
-  bool colored_ = true;  ///< Surfaces have the colours of their values.
+      asked_panel_;         ///< Of the plane, that the picture does not have: what was clicked in space is drawn there.
+  bool colored_ = true;     ///< Surfaces have the colours of their values.
+  bool has_plane_ = false;  ///< There is something to show in the plane.
   QSplitter* views_ = nullptr;
   enum class Views { Both, Plane, Space } looked_at_ = Views::Both;  ///< Where there is a picture in space.
   Canvas* canvas_ = nullptr;

@@ -51,15 +51,24 @@ void MainWindow::make_space_view() {
   space_bar_->setObjectName("space_bar");
   space_bar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   space_ = new stage::SpaceWidget(space_side_);
+  space_->set_caps([this](const scene::space::CutPlane& plane) {
+    auto made = section_by(plane);
+    return made ? std::move(made->caps) : std::vector<scene::space::Layer>();
+  });
   section_ = new stage::SectionBar(space_side_);
   section_->hide();
   column->addWidget(space_bar_);
   column->addWidget(space_, 1);
   column->addWidget(section_);
-  connect(section_, &stage::SectionBar::moved, this,
-          [this](const scene::space::Section& section) { space_->set_section(section); });
+  connect(section_, &stage::SectionBar::moved, this, [this](const scene::space::Section& section) {
+    space_->set_section(section);
+    show_moved_section();
+  });
   connect(section_, &stage::SectionBar::refused, this, [this](const QString& why) { canvas_->say(why); });
-  connect(space_, &stage::SpaceWidget::section_dragged, section_, &stage::SectionBar::show_section);
+  connect(space_, &stage::SpaceWidget::section_dragged, this, [this](const scene::space::Section& section) {
+    section_->show_section(section);
+    show_moved_section();
+  });
   space_->set_canvas(theme::canvas_of(kept_canvas(), QApplication::palette()));
   space_->set_draggable(part_.space.draggable);
   views_->setChildrenCollapsible(false);
@@ -108,6 +117,27 @@ void MainWindow::add_asked_panel(scene::Picture& picture) {
   if (asked) picture.panels.back() = *std::move(asked);
 }
 
+std::optional<SectionMade> MainWindow::section_by(const scene::space::CutPlane& plane) {
+  if (!part_.space.section || !has_space()) return std::nullopt;
+  return part_.space.section({session_, *canvas_}, plane);
+}
+
+void MainWindow::add_section_panel(scene::Picture& picture) {
+  if (!space_->section() || !has_space()) return;
+  const auto made = section_by(space_->section_plane());
+  if (made) picture.panels.push_back(made->panel);
+  picture.arrangement = scene::Arrangement::Grid;
+}
+
+/// What stands in space is cut already; the section in the plane follows.
+void MainWindow::show_moved_section() {
+  if (!part_.space.section || !session_.outcome()) return;
+  const scene::Picture picture = picture_wanted();
+  // Whether the plane meets anything decides on what is listed.
+  if (picture.panels.size() != view_->panel_count() || picture.panels.empty() != !has_plane_) return show_picture();
+  if (has_plane_) show_plane(picture);
+}
+
 bool MainWindow::has_space() const { return session_.outcome() != nullptr && session_.outcome()->space != nullptr; }
 
 std::optional<scene::space::SpacePicture> MainWindow::space_shown(scene::Picture& listed) const {
@@ -151,7 +181,7 @@ void MainWindow::show_views() {
   const bool space = has_space() && looked_at_ != Views::Plane;
   const bool before = !space_side_->isHidden();
   space_side_->setVisible(space);
-  const bool plane = !has_space() || session_.outcome()->picture != nullptr;
+  const bool plane = !has_space() || has_plane_;
   view_->setVisible(!space || (plane && looked_at_ == Views::Both));
   arrange_views();
   if (space && !before && looked_at_ == Views::Both) {
@@ -257,7 +287,13 @@ bool MainWindow::shows_layers(const std::vector<std::string>& keys) const {
 void MainWindow::show_section(bool on) {
   section_->setVisible(on);
   space_->set_section(on ? std::optional(section_->section()) : std::nullopt);
-  if (on) canvas_->say(text("Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back."));
+  if (part_.space.section && session_.outcome()) {
+    fit_next_ = true;  // what stands beside is another picture
+    show_picture();
+    fit_next_ = false;
+  }
+  canvas_->say(on ? text("Drag the arrow to move the section plane, its rim to turn it; Escape takes a drag back.")
+                  : QString());
 }
 
 void MainWindow::add_space_switches() {
@@ -286,9 +322,10 @@ void MainWindow::add_space_switches() {
   for (const LayerSwitch& each : part_.space.switches) {
     add(
         "show." + each.name, each.text, each.help, each.icon,
-        [this, layers = each.layers] {
+        [this, layers = each.layers, instead = each.instead] {
           const bool on = !shows_layers(layers);
           for (const std::string& layer : layers) layers_->set_layer_visible(layer, on);
+          for (const std::string& layer : instead) layers_->set_layer_visible(layer, !on);
         },
         [this, layers = each.layers] { return shows_layers(layers); },
         [this, layers = each.layers] { return !layers_in_space(layers).empty(); });

@@ -120,7 +120,11 @@ QString in_words(const base::Error& error) {
   }
   if (!place.item.empty()) words += item_in_words(QString::fromStdString(place.item)) + ": ";
   words += catalogue::translated(QString::fromStdString(error.message));
-  if (place.x && place.y) words += " " + text("(at %1, %2)").arg(coordinate(*place.x), coordinate(*place.y));
+  if (place.x && place.y && place.z)
+    words += " " + text("(at %1, %2, %3)").arg(coordinate(*place.x), coordinate(*place.y), coordinate(*place.z));
+  else if (place.x && place.y)
+    words += " " + text("(at %1, %2)").arg(coordinate(*place.x), coordinate(*place.y));
+  if (place.u && place.v) words += " " + text("(u = %1, v = %2)").arg(coordinate(*place.u), coordinate(*place.v));
   return words;
 }
 

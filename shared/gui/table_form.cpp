@@ -19,6 +19,7 @@
 #include "shared/gui/theme/colors.h"
 #include "shared/gui/theme/icons.h"
 #include "shared/scenario/condition.h"
+#include "shared/scenario/units.h"
 
 namespace dobra::gui {
 
@@ -50,8 +51,9 @@ constexpr int point_column = 3;
 constexpr int reset_column = 4;
 constexpr int columns = 5;
 
-QString unit_of(const Field& field) {
-  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : numbers::unit_text(field.options.unit);
+/// @param unit  of the field, as its table has it
+QString unit_of(const Field& field, const std::string& unit) {
+  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : numbers::unit_text(unit);
 }
 
 /// A default as the editor shows it.
@@ -80,11 +82,11 @@ QStringList range_of(const Field& field) {
 }
 
 /// "Distance: how far ...; greater than 0 m, default 50 m".
-QString hint_of(const Field& field) {
+QString hint_of(const Field& field, const QString& unit) {
   QString hint = text(field.options.title);
   if (field.options.help[0] != '\0') hint += ": " + text(field.options.help);
   QStringList range = range_of(field);
-  if (!range.isEmpty() && !unit_of(field).isEmpty()) range.last() += " " + unit_of(field);
+  if (!range.isEmpty() && !unit.isEmpty()) range.last() += " " + unit;
   if (!range.isEmpty()) {
     range.front()[0] = range.front()[0].toUpper();
     hint += (hint.endsWith('.') ? " " : ". ") + range.join(", ") + ".";
@@ -195,18 +197,17 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
     QSizePolicy policy = row->reset->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     row->reset->setSizePolicy(policy);
-    row->editor->setProperty(hint_property, hint_of(field));
     if (is_pointed_at(field)) make_point_button(*row);
     if (field.kind == Kind::Points) {
       grid.addWidget(row->title, line, title_column, 1, 3);
       grid.addWidget(row->reset, line, reset_column);
       grid.addWidget(row->editor, line + 1, title_column, 1, columns);
     } else {
-      const int width = unit_of(field).isEmpty() ? 2 : 1;
+      const int width = unit_of(field, field.options.unit).isEmpty() ? 2 : 1;
       grid.addWidget(row->title, line, title_column);
       grid.addWidget(row->editor, line, editor_column, 1, width + (row->point == nullptr && width == 2 ? 1 : 0));
       if (width == 1) {
-        row->unit = new QLabel(unit_of(field), this);
+        row->unit = new QLabel(this);
         grid.addWidget(row->unit, line, unit_column);
       }
       if (row->point != nullptr) grid.addWidget(row->point, line, point_column);
@@ -263,7 +264,12 @@ void TableForm::show_conditions() {
     const bool shown = !lacking || set || (row->editor != nullptr && row->editor->unsettled());
     row->title->setVisible(shown);
     row->title->setEnabled(!lacking);
-    if (row->unit != nullptr) row->unit->setVisible(shown);
+    const QString unit = unit_of(row->field, scenario::si_unit(row->field, table_, fields_));
+    if (row->unit != nullptr) {
+      row->unit->setText(unit);
+      row->unit->setVisible(shown);
+    }
+    if (row->editor != nullptr) row->editor->setProperty(hint_property, hint_of(row->field, unit));
     if (row->point != nullptr) row->point->setVisible(shown && !lacking && canvas_answers_);
     QWidget* editor = row->tables != nullptr ? static_cast<QWidget*>(row->tables) : row->editor;
     editor->setVisible(shown);

@@ -115,7 +115,7 @@ void VtkWidget::show_picture() {
     scene_->set_views(views_);
     scene_->set_options(view::with(settings_, scene_->options()));
     relayout();
-    mark_place();
+    mark_places();
   }
   fill_plots();
   doneCurrent();
@@ -162,7 +162,7 @@ bool VtkWidget::fill_plots() {
     const render::VtkScene::Changes changes(*scene_);
     scene_->set_picture(picture_);
     scene_->set_views(views_);
-    mark_place();
+    mark_places();
   }
   forget_frame();
   emit exaggerated(filling_);
@@ -216,7 +216,7 @@ void VtkWidget::show_marker() {
   makeCurrent();
   {
     const render::VtkScene::Changes changes(*scene_);
-    mark_place();
+    mark_places();
   }
   doneCurrent();
   redraw();
@@ -224,11 +224,11 @@ void VtkWidget::show_marker() {
 }
 
 /// @pre the context is current
-void VtkWidget::mark_place() {
+void VtkWidget::mark_places() {
   for (std::size_t i = 0; i < picture_.panels.size(); ++i) {
     std::vector<scene::Layer> layers;
     if (marked_) layers = scene::highlight(picture_.panels[i], *marked_);
-    if (place_ && i == panel_of(*place_)) {
+    if (place_ && i == place_panel_) {
       layers.push_back(marker_layer("gui.place.rim", *place_, marker_color, 18.0));
       layers.push_back(marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0));
       layers.push_back(marker_layer("gui.place.point", *place_, marker_color, 5.0));
@@ -375,11 +375,17 @@ void VtkWidget::move_views() {
   emit view_changed();
 }
 
-void VtkWidget::show_place(geom::Point place) {
-  if (!scene_ || picture_.panels.empty()) return;
-  place_ = place;
+void VtkWidget::show_place(geom::Point place) { show_place(panel_of(place), place); }
+
+void VtkWidget::mark_place(std::size_t panel, geom::Point place) {
+  place_ = place, place_panel_ = panel;
+  show_marker();
+}
+
+void VtkWidget::show_place(std::size_t panel, geom::Point place) {
+  if (!scene_ || panel >= picture_.panels.size()) return;
+  place_ = place, place_panel_ = panel;
   remember(view::Move::Jump);
-  const std::size_t panel = panel_of(place);
   const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
   const std::vector<scene::View> views = scene_->views();
   const double scale = place_fraction * size / std::max(scene_->layout().panels[panel].plot.width(), 1.0);

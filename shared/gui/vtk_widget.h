@@ -64,6 +64,10 @@ class VtkWidget : public stage::VtkFrames {
 
   /// Puts a marker at a point of the first panel that can show it, and zooms there.
   void show_place(geom::Point place);
+  /// The same in a panel that is known. @pre panel < panel_count()
+  void show_place(std::size_t panel, geom::Point place);
+  /// The marker alone.
+  void mark_place(std::size_t panel, geom::Point place);
   void clear_place();
   /// Marks the items of that layer and identity, in whichever panels there are any; nothing: none.
   void mark(const std::optional<scene::Pick>& pick);
@@ -73,6 +77,7 @@ class VtkWidget : public stage::VtkFrames {
   [[nodiscard]] scene::View view(std::size_t panel) const;
   [[nodiscard]] std::size_t panel_count() const { return picture_.panels.size(); }
   [[nodiscard]] const std::string& panel_key(std::size_t panel) const { return picture_.panels[panel].key; }
+  [[nodiscard]] const std::string& panel_title(std::size_t panel) const { return picture_.panels[panel].title; }
   /// The point of the model under a pixel, with the number of its panel; nothing outside the plots.
   struct Spot {
     std::size_t panel = 0;
@@ -120,7 +125,7 @@ class VtkWidget : public stage::VtkFrames {
  private:
   void show_picture();
   void show_marker();
-  void mark_place();
+  void mark_places();
   [[nodiscard]] std::size_t panel_of(geom::Point place) const;
   void pick(QPointF pixel);
   void show_cursor();
@@ -151,7 +156,8 @@ class VtkWidget : public stage::VtkFrames {
   view::History history_;
   QElapsedTimer clock_;
   std::optional<scene::Pick> marked_;
-  std::optional<geom::Point> place_;               ///< Where the marker stands.
+  std::optional<geom::Point> place_;               ///< Where the marker stands,
+  std::size_t place_panel_ = 0;                    ///< and in which panel.
   std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
   render::VtkScene* scene_ = nullptr;              ///< The stage, as long as there is one.
   bool held_ = false;                              ///< Those views show all, and were left so by nobody's wish.

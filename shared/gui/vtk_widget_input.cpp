@@ -69,16 +69,21 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   }
   const scene::Panel& panel = picture_.panels[spot->panel];
   const double scale = view(spot->panel).world_per_point;
-  const double unit = panel.axes.unit;
-  // As many decimals as a pixel can tell apart.
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale / unit))), 0, 12);
-  const auto number = [&](double value) {
+  const auto number = [&](double value, const scene::Reading& reading) {
+    // As many decimals as a pixel can tell apart.
+    const double pixel = scale * std::abs(reading.per_unit);
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 12);
     return QString::fromStdString(
-        canvas::with_decimal_mark(QString::number(value / unit, 'f', decimals).toStdString()));
+        canvas::with_decimal_mark(QString::number(reading.of(value), 'f', decimals).toStdString()));
   };
-  emit cursor_moved(QString("%1 = %2   %3 = %4 %5")
-                        .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title),
-                             number(spot->at.y), axis_unit(panel.axes.y_title))
+  const scene::Axes& axes = panel.axes;
+  const scene::Reading x = axes.x_reading.value_or(scene::Reading{axes.x_title, 0.0, 1.0 / axes.unit});
+  const scene::Reading y = axes.y_reading.value_or(scene::Reading{axes.y_title, 0.0, 1.0 / axes.unit});
+  // A unit that both have is said once.
+  const QString of_x = axis_unit(x.title), of_y = axis_unit(y.title);
+  emit cursor_moved(QString("%1 = %2%3   %4 = %5 %6")
+                        .arg(axis_name(x.title), number(spot->at.x, x), of_x == of_y ? QString() : " " + of_x,
+                             axis_name(y.title), number(spot->at.y, y), of_y)
                         .trimmed());
 }
 

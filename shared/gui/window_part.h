@@ -15,6 +15,7 @@
 #include "shared/gui/welcome/examples.h"
 #include "shared/scenario/document.h"
 #include "shared/scenario/field.h"
+#include "shared/scene/space/cut.h"
 
 class QWidget;
 
@@ -37,6 +38,13 @@ struct LayerSwitch {
   std::string help;  ///< A sentence, English source.
   theme::Draw icon;  ///< As of theme::icon.
   std::vector<std::string> layers;
+  std::vector<std::string> instead = {};  ///< Hidden where they are shown, and shown where they are hidden.
+};
+
+/// What a plane cuts out of what stands in space.
+struct SectionMade {
+  std::vector<scene::space::Layer> caps = {};  ///< What closes the cut. Keys end with scene::space::cap_end.
+  scene::Panel panel = {};                     ///< The same in the plane of the section.
 };
 
 /// A file that is no scenario and becomes a document of its own.
@@ -56,6 +64,8 @@ struct SpacePart {
   std::function<std::string(const Desk&, const stage::ItemAt&)> panel_of = {};
   /// Such a panel, where the picture does not have it: shown in the place of its last one. In the document's units.
   std::function<std::optional<scene::Panel>(const Desk&, const std::string& key)> panel = {};
+  /// The section by a plane, in the document's units, as quickly as a hand moves it; nothing: there is none.
+  std::function<std::optional<SectionMade>(const Desk&, const scene::space::CutPlane&)> section = {};
   /// A marker on its way in the plane of the screen through it.
   std::function<void(const Desk&, stage::MarkerDrag, const stage::ItemAt&, const geom::Point3& to)> dragged = {};
 };

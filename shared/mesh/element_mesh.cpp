@@ -201,14 +201,20 @@ double area(const ElementMesh& mesh) {
 
 namespace {
 
-/// Sides of triangles by their directed ends.
+/// Sides of triangles by their directed ends; of all sides those between nodes of named edges.
 class SideTable {
  public:
   explicit SideTable(const TriangleMesh& mesh) {
-    sides_.reserve(3 * mesh.triangles.size());
+    std::vector<bool> named(mesh.points.size(), false);
+    for (const auto* sets : {&mesh.boundary_sets, &mesh.constraint_sets}) {
+      for (const auto& [name, edges] : *sets) {
+        for (const Edge& edge : edges) named[edge[0].index()] = named[edge[1].index()] = true;
+      }
+    }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) {
-        sides_.push_back({{mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]}, {ElementId(t), i}});
+        const Edge edge{mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]};
+        if (named[edge[0].index()] && named[edge[1].index()]) sides_.push_back({edge, {ElementId(t), i}});
       }
     }
     std::sort(sides_.begin(), sides_.end());

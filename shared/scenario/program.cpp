@@ -90,6 +90,15 @@ scene::Picture Program::picture_of_input(const Document& document) const {
   return units_of ? in_units(std::move(picture), document.shown_units()) : picture;
 }
 
+std::optional<scene::space::SpacePicture> Program::space_of_input(const Document& document) const {
+  scene::space::SpacePicture picture;
+  if (!draw_input_in_space || !check(document.input, fields_in(input_fields, document.units), {})) return std::nullopt;
+  const Context context{document.folder(), document.units, document.shown_units()};
+  draw_input_in_space(in_si(document.input, input_fields, document.units), context, picture);
+  if (picture.layers.empty()) return std::nullopt;
+  return units_of ? in_units(std::move(picture), document.shown_units()) : std::move(picture);
+}
+
 std::vector<Quantity> Program::quantities_of(const State& state) const {
   auto quantities = gathered<std::vector<Quantity>>(*this, state, &Results::quantities);
   return units_of ? in_units(std::move(quantities), units_of(state)) : quantities;

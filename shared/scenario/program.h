@@ -180,6 +180,8 @@ struct Program {
   std::function<base::Result<State>(const Table& input, const Context&, const base::Progress&)> read_input;
   /// What an input draws that read_input may refuse, unjudged, as far as it can be read; may be left out.
   std::function<void(const Table& input, const Context&, scene::Picture&)> draw_input{};
+  /// The same of what stands in space; may be left out.
+  std::function<void(const Table& input, const Context&, scene::space::SpacePicture&)> draw_input_in_space{};
   /// Whether an input holds nothing yet that a run could begin with; left out: an empty one.
   std::function<bool(const Table& input)> nothing_yet{};
   std::vector<Operation> operations;
@@ -202,6 +204,7 @@ struct Program {
   [[nodiscard]] std::optional<scene::space::SpacePicture> space_of(const State& state) const;
   /// What the input of a document draws where there is no state to draw; without panels if that is nothing.
   [[nodiscard]] scene::Picture picture_of_input(const Document& document) const;
+  [[nodiscard]] std::optional<scene::space::SpacePicture> space_of_input(const Document& document) const;
   [[nodiscard]] std::vector<Quantity> quantities_of(const State& state) const;
   [[nodiscard]] std::vector<DataTable> tables_of(const State& state) const;
   [[nodiscard]] std::vector<std::string> remarks_of(const State& state) const;

@@ -54,7 +54,8 @@ class UnitSystem {
   Ratio length_, force_;
 };
 
-/// The SI unit of a field, "Pa"; that of one whose unit goes by a choice ("Pa, N if kind = force") by the table's.
+/// The SI unit of a field, "Pa"; that of one whose unit goes by a choice ("Pa, N if kind = force") by the table's. Of
+/// fields_in() the unit that these have.
 std::string si_unit(const Field& field, const Table& table, const std::vector<Field>& fields);
 
 /// A table that was written in `units`, in SI: numbers, points and lists of fields with a unit; texts with a unit are

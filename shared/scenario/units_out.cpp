@@ -229,6 +229,9 @@ scene::Picture in_units(scene::Picture picture, const UnitSystem& units) {
     Turn turn(x, y, units);
     for (scene::Layer& layer : panel.layers) std::visit(turn, layer.content);
     if (panel.extent) turn(*panel.extent);
+    // What is read stays; the lengths below it are others.
+    if (panel.axes.x_reading) panel.axes.x_reading->per_unit = x.inverse().times(panel.axes.x_reading->per_unit);
+    if (panel.axes.y_reading) panel.axes.y_reading->per_unit = y.inverse().times(panel.axes.y_reading->per_unit);
     if (picture.points_per_unit && &panel == &picture.panels.front())
       picture.points_per_unit = x.inverse().times(*picture.points_per_unit);
   }

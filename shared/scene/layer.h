@@ -152,11 +152,22 @@ struct Layer {
 /// What the legend calls a layer.
 inline const std::string& legend_name(const Layer& layer) { return layer.legend.empty() ? layer.title : layer.legend; }
 
+/// What an axis says instead of its lengths: degrees round a cylinder that is drawn as it is unrolled.
+struct Reading {
+  std::string title{};    ///< As "u [\u00b0]".
+  double at_zero = 0.0;   ///< What stands at world coordinate 0.
+  double per_unit = 1.0;  ///< How much more that is a world length of 1 farther; not 0.
+  [[nodiscard]] double of(double world) const { return at_zero + per_unit * world; }
+  [[nodiscard]] double to_world(double read) const { return (read - at_zero) / per_unit; }
+};
+
 struct Axes {
   std::string x_title = "x [m]";
   std::string y_title = "y [m]";
   AxisScale scale = AxisScale::Linear;
   double unit = 1.0;  ///< World lengths in one unit of linear ticks and of the scale bar: 1000 for "x [km]".
+  /// Of linear axes: ticks and title are these, lengths go by the titles above.
+  std::optional<Reading> x_reading = std::nullopt, y_reading = std::nullopt;
 };
 
 /// One view on a plane, drawn to scale (no exaggeration unless stated).

@@ -337,14 +337,23 @@ bool Arranger::update_room(std::size_t i) {
   const double line = measure_("0", tick_font_).height();
   const auto fit = panel.axes.scale == AxisScale::Log10 ? logarithmic_ticks_that_fit : ticks_that_fit;
   const double unit = panel.axes.unit;
-  block.x_ticks = fit(world.low.x / unit, world.high.x / unit, block.plot_width, 8.0, 40.0,
+  const auto read = [unit](double at, const std::optional<Reading>& reading) {
+    return reading ? reading->of(at) : at / unit;
+  };
+  const std::optional<Reading>&x_reading = panel.axes.x_reading, &y_reading = panel.axes.y_reading;
+  const auto [x_low, x_high] = std::minmax({read(world.low.x, x_reading), read(world.high.x, x_reading)});
+  const auto [y_low, y_high] = std::minmax({read(world.low.y, y_reading), read(world.high.y, y_reading)});
+  block.x_ticks = fit(x_low, x_high, block.plot_width, 8.0, 40.0,
                       [&](const std::string& text) { return measure_(text, tick_font_).width; });
-  block.y_ticks = fit(world.low.y / unit, world.high.y / unit, block.plot_height, 6.0, 26.0,
-                      [&](const std::string&) { return line; });
+  block.y_ticks = fit(y_low, y_high, block.plot_height, 6.0, 26.0, [&](const std::string&) { return line; });
   if (panel.axes.scale == AxisScale::None) block.x_ticks = block.y_ticks = {};
-  for (Tick& tick : block.x_ticks) tick.value *= unit;
-  for (Tick& tick : block.y_ticks) tick.value *= unit;
-  block.y_title = turned_heading(panel.axes.y_title, block.plot_height, axis_font_, measure_);
+  const auto place = [unit](std::vector<Tick>& ticks, const std::optional<Reading>& reading) {
+    for (Tick& tick : ticks) tick.value = reading ? reading->to_world(tick.value) : tick.value * unit;
+  };
+  place(block.x_ticks, x_reading);
+  place(block.y_ticks, y_reading);
+  block.y_title =
+      turned_heading(y_reading ? y_reading->title : panel.axes.y_title, block.plot_height, axis_font_, measure_);
   double widest = 0.0;
   for (const Tick& tick : block.y_ticks) widest = std::max(widest, measure_(tick.label, tick_font_).width);
   // In a window the plots must not jump while the view moves: the room for labels goes in steps of four digits.
@@ -358,7 +367,7 @@ bool Arranger::update_room(std::size_t i) {
     left = std::max(left, half - x);
     right = std::max(right, x + half - block.plot_width);
   }
-  std::string x_title = shares_x_axis(i) ? "" : panel.axes.x_title;
+  std::string x_title = shares_x_axis(i) ? "" : x_reading ? x_reading->title : panel.axes.x_title;
   if (block.exaggeration != 1.0 && panel.axes.scale != AxisScale::Diagram) {
     x_title += fmt::format("{}({} {}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
                            with_decimal_mark(fmt::format("{:g}", block.exaggeration)));
@@ -396,7 +405,8 @@ double Arranger::end_letters_width(const Panel& panel) const {
 /// Panels over each other on a sheet have the title of their common axis below the last.
 bool Arranger::shares_x_axis(std::size_t i) const {
   return on_paper() && columns_ == 1 && i + 1 < blocks_.size() &&
-         picture_.panels[i].axes.x_title == picture_.panels[i + 1].axes.x_title;
+         picture_.panels[i].axes.x_title == picture_.panels[i + 1].axes.x_title && !picture_.panels[i].axes.x_reading &&
+         !picture_.panels[i + 1].axes.x_reading;
 }
 
 bool Arranger::update_rooms() {

@@ -11,8 +11,6 @@ namespace dobra::solid {
 namespace {
 
 using geom::Sign;
-using topo::EdgeId;
-using topo::HalfEdgeId;
 using topo::Subdivision;
 
 class CapMaker {
@@ -30,16 +28,16 @@ class CapMaker {
   }
 
  private:
-  [[nodiscard]] std::uint32_t solid(HalfEdgeId h) const { return solids_[plane_.face(h).index()]; }
-  [[nodiscard]] bool bounds(HalfEdgeId h) const { return solid(h) != solid(Subdivision::twin(h)); }
-  [[nodiscard]] const std::vector<std::string>& names(HalfEdgeId h) const {
+  [[nodiscard]] std::uint32_t solid(topo::HalfEdgeId h) const { return solids_[plane_.face(h).index()]; }
+  [[nodiscard]] bool bounds(topo::HalfEdgeId h) const { return solid(h) != solid(Subdivision::twin(h)); }
+  [[nodiscard]] const std::vector<std::string>& names(topo::HalfEdgeId h) const {
     static const std::vector<std::string> no_names;
     const std::any& attribute = plane_.attribute(Subdivision::edge(h));
     return attribute.has_value() ? std::any_cast<const SectionLine&>(attribute).names : no_names;
   }
   /// The half-edge of an edge that has the lower number of a solid on its left.
-  [[nodiscard]] HalfEdgeId directed(EdgeId e) const {
-    const HalfEdgeId h = Subdivision::half_edge(e);
+  [[nodiscard]] topo::HalfEdgeId directed(topo::EdgeId e) const {
+    const topo::HalfEdgeId h = Subdivision::half_edge(e);
     return solid(h) < solid(Subdivision::twin(h)) ? h : Subdivision::twin(h);
   }
 
@@ -55,10 +53,10 @@ class CapMaker {
   }
 
   /// The line goes on through the end of h, and how; none where it ends.
-  [[nodiscard]] HalfEdgeId onwards(HalfEdgeId h) const {
-    HalfEdgeId other;
+  [[nodiscard]] topo::HalfEdgeId onwards(topo::HalfEdgeId h) const {
+    topo::HalfEdgeId other;
     std::size_t count = 0;
-    for (const HalfEdgeId leaving : plane_.round(plane_.target(h))) {
+    for (const topo::HalfEdgeId leaving : plane_.round(plane_.target(h))) {
       if (!bounds(leaving)) continue;
       ++count;
       if (leaving != Subdivision::twin(h)) other = leaving;
@@ -66,29 +64,29 @@ class CapMaker {
     if (count != 2) return {};
     const bool same = solid(other) == solid(h) && solid(Subdivision::twin(other)) == solid(Subdivision::twin(h)) &&
                       names(other) == names(h);
-    return same ? other : HalfEdgeId();
+    return same ? other : topo::HalfEdgeId();
   }
-  [[nodiscard]] HalfEdgeId backwards(HalfEdgeId h) const {
-    const HalfEdgeId back = onwards(Subdivision::twin(h));
+  [[nodiscard]] topo::HalfEdgeId backwards(topo::HalfEdgeId h) const {
+    const topo::HalfEdgeId back = onwards(Subdivision::twin(h));
     return back.valid() ? Subdivision::twin(back) : back;
   }
 
   void make_lines() {
     std::vector<char> used;
-    for (const EdgeId e : plane_.edges()) {
+    for (const topo::EdgeId e : plane_.edges()) {
       if (e.index() >= used.size()) used.resize(e.index() + 1, 0);
     }
-    for (const EdgeId e : plane_.edges()) {
+    for (const topo::EdgeId e : plane_.edges()) {
       if (used[e.index()] != 0 || !bounds(Subdivision::half_edge(e))) continue;
-      HalfEdgeId first = directed(e);
-      for (HalfEdgeId back = backwards(first); back.valid() && back != directed(e); back = backwards(back))
+      topo::HalfEdgeId first = directed(e);
+      for (topo::HalfEdgeId back = backwards(first); back.valid() && back != directed(e); back = backwards(back))
         first = back;
       CapLine line{{}, names(first), solid(first), solid(Subdivision::twin(first))};
-      HalfEdgeId h = first;
+      topo::HalfEdgeId h = first;
       do {
         used[Subdivision::edge(h).index()] = 1;
         line.line.points.push_back(plane_.point(plane_.origin(h)));
-        const HalfEdgeId next = onwards(h);
+        const topo::HalfEdgeId next = onwards(h);
         if (!next.valid()) line.line.points.push_back(plane_.point(plane_.target(h)));
         h = next;
       } while (h.valid() && h != first);
@@ -138,7 +136,7 @@ class CapMaker {
         open.pop_back();
         cap_.regions[number].area += topo::area(plane_, at);
         for (const topo::LoopId loop : plane_.loops(at)) {
-          for (const HalfEdgeId h : plane_.half_edges(loop)) {
+          for (const topo::HalfEdgeId h : plane_.half_edges(loop)) {
             const topo::FaceId beyond = plane_.face(Subdivision::twin(h));
             if (bounds(h) || group[beyond.index()] != none) continue;
             group[beyond.index()] = number;
@@ -148,13 +146,13 @@ class CapMaker {
       }
     }
     std::vector<std::size_t> loops(cap_.regions.size(), 0);
-    for (const EdgeId e : plane_.edges()) {
-      for (const HalfEdgeId start : {Subdivision::half_edge(e), Subdivision::twin(Subdivision::half_edge(e))}) {
+    for (const topo::EdgeId e : plane_.edges()) {
+      for (const topo::HalfEdgeId start : {Subdivision::half_edge(e), Subdivision::twin(Subdivision::half_edge(e))}) {
         const std::uint32_t of = group[plane_.face(start).index()];
         if (of == none || !bounds(start)) continue;
         if (start.index() < used.size() && used[start.index()] != 0) continue;
         ++loops[of];
-        HalfEdgeId h = start;
+        topo::HalfEdgeId h = start;
         do {
           if (h.index() >= used.size()) used.resize(h.index() + 1, 0);
           used[h.index()] = 1;
@@ -184,9 +182,9 @@ struct Seen {
 
 Cap cap_of(const Section& section, const CapOptions& options) { return CapMaker(section, options).make(); }
 
-base::Result<Contact> contact_with(std::span<const Solid> solids, const CutPlane& plane) {
+base::Result<PlaneContact> contact_with(std::span<const Solid> solids, const CutPlane& plane) {
   DOBRA_TRY_VOID(frame_of(plane));
-  Contact most = Contact::Nothing;
+  PlaneContact contact;
   for (const Solid& solid : solids) {
     const Soup& all = solid.boundary().soup;
     std::vector<Seen> shells(solid.shell_count());
@@ -205,11 +203,14 @@ base::Result<Contact> contact_with(std::span<const Solid> solids, const CutPlane
         if (here != Sign::Zero) return;
         seen.most = std::max(seen.most, side[all.corners[j].index()] == Sign::Zero ? Contact::Edge : Contact::Vertex);
       });
-      if (whole) seen.most = Contact::Face;
+      if (!whole) continue;
+      seen.most = Contact::Face;
+      contact.in_face = true;
     }
-    for (const Seen& seen : shells) most = std::max(most, seen.below && seen.above ? Contact::Volume : seen.most);
+    for (const Seen& seen : shells)
+      contact.most = std::max(contact.most, seen.below && seen.above ? Contact::Volume : seen.most);
   }
-  return most;
+  return contact;
 }
 
 }  // namespace dobra::solid

@@ -48,9 +48,13 @@ struct CapOptions {
 /// @cost O(n log n)
 Cap cap_of(const Section& section, const CapOptions& options = {});
 
-/// The most that any of the solids' boundaries has in common with the plane: Nothing, Vertex, Edge, Face, or Volume
-/// where it has solid on both sides.
+/// What solids have in common with a plane.
+struct PlaneContact {
+  Contact most = Contact::Nothing;  ///< Of any shell; Volume where it has solid on both sides.
+  bool in_face = false;             ///< A face of some solid lies in the plane: just above, the section is another one.
+};
+
 /// @error InvalidOption as frame_of() says.  @cost O(n)
-base::Result<Contact> contact_with(std::span<const Solid> solids, const CutPlane& plane);
+base::Result<PlaneContact> contact_with(std::span<const Solid> solids, const CutPlane& plane);
 
 }  // namespace dobra::solid

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
+#include "shared/mesh/polygon_lists.h"
 #include "shared/solid/assemble.h"
 #include "shared/solid/triangulate.h"
 
@@ -53,7 +55,7 @@ class Reader {
     const Contacts found = contacts(soup_, trees);
     const Cells cells = arrange(soup_, found);
     const Fans round = fans(soup_, cells);
-    if (const auto half = open_half(soup_, cells, round)) return open_error(cells, *half);
+    if (const auto half = open_half(soup_, cells, round)) return open_error(cells, round, *half);
     const Sides windings = sides(soup_, cells, round, trees);
     DOBRA_TRY_VOID(check_windings(found, cells, windings));
     std::vector<char> inside;
@@ -68,8 +70,15 @@ class Reader {
                                                          options_.face_names.size(), mesh_.faces.size())};
     }
     for (std::size_t p = 0; p < mesh_.points.size(); ++p) {
-      if (!is_finite(mesh_.points[p])) {
+      const Point3 at = mesh_.points[p];
+      if (!is_finite(at)) {
         return Error{ErrorCode::NotFinite, fmt::format("point {} has a coordinate that is not a number", p)};
+      }
+      constexpr double largest = 1e75;  // products of four coordinates are finite numbers
+      if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > largest) {
+        return Error{ErrorCode::NotFinite,
+                     fmt::format("point {} has a coordinate beyond 1e75: solids are computed with smaller ones", p),
+                     place_at(at)};
       }
     }
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
@@ -172,7 +181,21 @@ class Reader {
     return face_[cells.cells[cell.index()].facet];
   }
 
-  [[nodiscard]] Error open_error(const Cells& cells, std::uint32_t half) const {
+  [[nodiscard]] Error cover_error(std::span<const Cover> covers, Point3 at) const {
+    return {ErrorCode::SelfIntersection,
+            fmt::format("faces {} and {} cover each other: take one of them out", face_[covers[0].facet],
+                        face_[covers[1].facet]),
+            place_at(at)};
+  }
+
+  [[nodiscard]] Error open_error(const Cells& cells, const Fans& round, std::uint32_t half) const {
+    std::uint32_t around = half;
+    do {
+      const Cell& cell = cells.cells[cells.halves[around].cell.index()];
+      if (const auto covers = cells.covers_of(cell); covers.size() > 1)
+        return cover_error(covers, soup_.space.rounded(cells.halves[around].origin));
+      around = round.turned[around];
+    } while (around != half);
     const Point3 a = soup_.space.rounded(cells.halves[half].origin);
     const Point3 b = soup_.space.rounded(cells.target(half));
     const CellId cell = cells.halves[half].cell;
@@ -209,12 +232,7 @@ class Reader {
     }
     const auto covers = cells.covers_of(cells.cells[c]);
     const Point3 at = soup_.space.rounded(cells.halves[cells.cells[c].first_half].origin);
-    if (covers.size() > 1) {
-      return {ErrorCode::SelfIntersection,
-              fmt::format("faces {} and {} cover each other: take one of them out", face_[covers[0].facet],
-                          face_[covers[1].facet]),
-              place_at(at)};
-    }
+    if (covers.size() > 1) return cover_error(covers, at);
     const char* what = inverted ? "face {} is turned inside out, and so is the part that it bounds: turn its faces over"
                                 : "face {} bounds a part that lies within another part: unite them, or turn it over";
     return {ErrorCode::SelfIntersection, fmt::format(fmt::runtime(what), face_[covers[0].facet]), place_at(at)};
@@ -234,26 +252,25 @@ class Reader {
   std::unordered_map<std::string, std::uint32_t> numbers_;
 };
 
-/// The loops of a face: the one from outside first.
-std::vector<std::vector<PointId>> sorted_loops(const Soup& soup, const Facet& facet, Projection onto) {
-  std::vector<std::vector<PointId>> loops;
-  std::size_t outer = 0;
-  const auto least = [&](const std::vector<PointId>& loop) {
-    return *std::min_element(loop.begin(), loop.end(), [&](PointId p, PointId q) {
-      return soup.space.compare(onto, p, q) == std::strong_ordering::less;
-    });
-  };
-  for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
-    loops.emplace_back(soup.corners.begin() + soup.loop_starts[l], soup.corners.begin() + soup.loop_end(facet, l));
+/// Of a mesh that is not closed, the face that is turned over, if one alone is wrong.
+std::optional<Error> turn_error(const mesh::PolygonMesh& mesh) {
+  mesh::PolygonMesh merged = mesh;
+  const auto first = mesh::merged_points(mesh.points, 0.0);
+  for (auto& face : merged.faces) {
+    for (std::uint32_t& corner : face) corner = first[corner];
   }
-  for (std::size_t l = 1; l < loops.size(); ++l) {
-    const PointId own = least(loops[l]);
-    const PointId best = least(loops[outer]);
-    const auto order = soup.space.compare(onto, own, best);
-    if (order == std::strong_ordering::less) outer = l;
+  std::optional<Error> found;
+  for (const mesh::PolygonFinding& finding : mesh::check(merged, mesh::Closedness::Solid)) {
+    if (finding.fault == mesh::PolygonFault::UnusedPoint) continue;
+    if (found || finding.fault != mesh::PolygonFault::ReversedFace) return std::nullopt;
+    const auto& face = merged.faces[finding.faces[0]];
+    geom::Vector3 sum{};
+    for (const std::uint32_t corner : face) sum = sum + (merged.points[corner] - Point3{});
+    found = Error{ErrorCode::NotClosed,
+                  fmt::format("face {} is turned against its neighbours: turn it over", finding.faces[0]),
+                  place_at(Point3{} + sum / static_cast<double>(face.size()))};
   }
-  std::swap(loops[0], loops[outer]);
-  return loops;
+  return found;
 }
 
 }  // namespace
@@ -266,7 +283,10 @@ base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptio
   FaceLoops loops{mesh.points, {}};
   loops.faces.reserve(mesh.faces.size());
   for (const auto& face : mesh.faces) loops.faces.push_back({face});
-  return from_loops(loops, options);
+  auto solid = from_loops(loops, options);
+  if (solid || solid.error().code != ErrorCode::NotClosed) return solid;
+  if (auto better = turn_error(mesh)) return *std::move(better);
+  return solid;
 }
 
 base::Result<ToMesh> to_mesh(const Solid& solid, FacesAs as) {

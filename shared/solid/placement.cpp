@@ -62,8 +62,11 @@ Matrix moved_by(geom::Vector3 by) { return of_columns({1, 0, 0}, {0, 1, 0}, {0, 
 
 Matrix turned(geom::Point3 about, geom::Vector3 axis, double degrees) {
   const geom::Vector3 n = normalised(axis);
-  const auto [c, s] = circle_at(degrees);
-  const auto column = [&](geom::Vector3 e) { return c * e + s * cross(n, e) + (1.0 - c) * dot(n, e) * n; };
+  const auto turn = circle_at(degrees);
+  const auto column = [&](geom::Vector3 e) {
+    const auto& [c, s] = turn;
+    return c * e + s * cross(n, e) + (1.0 - c) * dot(n, e) * n;
+  };
   return about_point(about, of_columns(column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})));
 }
 

@@ -158,9 +158,17 @@ Projection Space::projection(PlaneId q) const {
 }
 
 Sign Space::side(PlaneId q, PointId p) const {
+  return side(q, rounded_[p.index()], is_exact(p), [&] { return place(p); });
+}
+
+Sign Space::side(PlaneId q, Point3 p) const {
+  return side(q, p, true, [&] { return Homogeneous{{Dyadic(p.x), Dyadic(p.y), Dyadic(p.z)}, Dyadic(1.0)}; });
+}
+
+template <class Exact>
+Sign Space::side(PlaneId q, Point3 at, bool is_exact, Exact&& exact) const {
   const KeptPlane& plane = planes_[q.index()];
-  const Point3 at = rounded_[p.index()];
-  if (!plane.given.constant && is_exact(p)) {
+  if (!plane.given.constant && is_exact) {
     const auto& through = plane.given.through;
     if (at == through[0] || at == through[1] || at == through[2]) return Sign::Zero;
   }
@@ -170,10 +178,10 @@ Sign Space::side(PlaneId q, PointId p) const {
   const double sizes = absolute(n.x * r.x) + absolute(n.y * r.y) + absolute(n.z * r.z);
   double bound = 4.0 * unit * (sizes + absolute(plane.given.constant.value_or(0.0)));
   bound += plane.error.x * absolute(r.x) + plane.error.y * absolute(r.y) + plane.error.z * absolute(r.z);
-  if (!is_exact(p)) bound += unit * (absolute(n.x * at.x) + absolute(n.y * at.y) + absolute(n.z * at.z));
+  if (!is_exact) bound += unit * (absolute(n.x * at.x) + absolute(n.y * at.y) + absolute(n.z * at.z));
   if (absolute(value) > std::max(1.01 * bound, least_bound)) return geom::sign_of(value);
   const Homogeneous& c = coefficients(q);
-  const Homogeneous there = place(p);
+  const Homogeneous there = exact();
   return (dot(c.place, there.place) + c.weight * there.weight).sign();
 }
 

@@ -77,6 +77,8 @@ class Space {
 
   /// Positive above the plane.
   [[nodiscard]] geom::Sign side(PlaneId q, PointId p) const;
+  /// The same for a place that need not be in the space.  @pre finite
+  [[nodiscard]] geom::Sign side(PlaneId q, geom::Point3 p) const;
   /// Whether all of one plane lies in the other.
   [[nodiscard]] bool coplanar(PlaneId a, PlaneId b) const;
   /// Positive if a, b, c turn left in the projection.
@@ -105,6 +107,9 @@ class Space {
     mutable std::unique_ptr<Homogeneous> exact;
   };
 
+  /// @param exact  gives the place, where the filter cannot tell.
+  template <class Exact>
+  [[nodiscard]] geom::Sign side(PlaneId q, geom::Point3 at, bool is_exact, Exact&& exact) const;
   PointId find_or_add(geom::Point3 rounded, const Homogeneous* exact);
   void grow();
   [[nodiscard]] bool same(std::uint32_t number, const Homogeneous* exact) const;

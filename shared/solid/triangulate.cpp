@@ -274,4 +274,25 @@ std::optional<std::vector<std::array<PointId, 3>>> triangulate(const Space& spac
   return triangles;
 }
 
+std::vector<std::vector<PointId>> sorted_loops(const Soup& soup, const Facet& facet, Projection onto) {
+  std::vector<std::vector<PointId>> loops;
+  std::size_t outer = 0;
+  const auto least = [&](const std::vector<PointId>& loop) {
+    return *std::min_element(loop.begin(), loop.end(), [&](PointId p, PointId q) {
+      return soup.space.compare(onto, p, q) == std::strong_ordering::less;
+    });
+  };
+  for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
+    loops.emplace_back(soup.corners.begin() + soup.loop_starts[l], soup.corners.begin() + soup.loop_end(facet, l));
+  }
+  for (std::size_t l = 1; l < loops.size(); ++l) {
+    const PointId own = least(loops[l]);
+    const PointId best = least(loops[outer]);
+    const auto order = soup.space.compare(onto, own, best);
+    if (order == std::strong_ordering::less) outer = l;
+  }
+  std::swap(loops[0], loops[outer]);
+  return loops;
+}
+
 }  // namespace dobra::solid

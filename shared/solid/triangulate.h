@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "shared/solid/space.h"
+#include "shared/solid/soup.h"
 
 namespace dobra::solid {
 
@@ -26,5 +26,8 @@ bool bound_a_face(const Space& space, Projection onto, std::span<const std::vect
 /// @cost         O(n^2) at worst.
 std::optional<std::vector<std::array<PointId, 3>>> triangulate(const Space& space, Projection onto,
                                                                std::span<const std::vector<PointId>> loops);
+
+/// The loops of a facet: the outer one first.
+std::vector<std::vector<PointId>> sorted_loops(const Soup& soup, const Facet& facet, Projection onto);
 
 }  // namespace dobra::solid

@@ -45,6 +45,9 @@ class Curve {
   /// round where the last point is the first, else with a third derivative that is continuous at the second and last
   /// but one. Two points are a line, three a parabola. Source: [piegl1997], 9.2. @error as polyline
   static base::Result<Curve> through(const std::vector<geom::Point3>& points);
+  /// The same by parameters of one's own, one a point, rising: in a chart whose directions have other units, lengths in
+  /// space. @error as polyline; InvalidOption: not as many parameters, or they do not rise
+  static base::Result<Curve> through(const std::vector<geom::Point3>& points, const std::vector<double>& parameters);
   /// A rational B-spline; all weights 1 where none are given.
   /// @error those of SplineBasis::make; InvalidOption: not a point (or weight) for each function, a weight that is not
   ///        positive; NotFinite. Each names the number from 1. DegenerateCurve: it is torn at a knot that stands

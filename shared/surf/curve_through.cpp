@@ -115,7 +115,18 @@ base::Result<Curve> Curve::polyline(const std::vector<Point3>& points) {
 }
 
 base::Result<Curve> Curve::through(const std::vector<Point3>& points) {
-  DOBRA_TRY(std::vector<double> at, chord_lengths(points));
+  DOBRA_TRY(const std::vector<double> at, chord_lengths(points));
+  return through(points, at);
+}
+
+base::Result<Curve> Curve::through(const std::vector<Point3>& points, const std::vector<double>& at) {
+  DOBRA_TRY_VOID(chord_lengths(points));
+  if (at.size() != points.size())
+    return Error{ErrorCode::InvalidOption, fmt::format("{} parameters for {} points", at.size(), points.size())};
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    if (!(at[i] > at[i - 1]) || !std::isfinite(at[i] - at[i - 1]))
+      return Error{ErrorCode::InvalidOption, fmt::format("parameter {} does not rise", i + 1)};
+  }
   if (points.size() == 2) return polyline(points);
   auto shape = std::make_shared<CubicsShape>();
   shape->t = at;

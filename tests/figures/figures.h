@@ -33,11 +33,13 @@ std::vector<Figure> paper_figures();
 std::vector<Figure> import_figures();
 std::vector<Figure> free_border_figures();
 std::vector<Figure> param_figures();
+std::vector<Figure> loft_figures();
 
 /// One surface from the usual sides (space_figures.cpp).
 base::Result<void> write_projection(const std::filesystem::path& path);
-/// Two solids, their union, intersection and difference (solid_figures.cpp).
-base::Result<void> write_solids(const std::filesystem::path& path);
+/// Solids side by side (solid_figures.cpp): "boolean", "sweeps", "section_loft", "csg", "cap" or
+/// "section_block".
+base::Result<void> write_solids(const std::string& name, const std::filesystem::path& path);
 
 /// What each stage of the general offset engine makes of one base (offset_stages.cpp).
 base::Result<scene::Picture> offset_stages();

@@ -75,12 +75,14 @@ int write_all(const Folder& folder, const std::string& ending, const std::string
   const auto asked = [&](const std::string& name) { return name.starts_with(beginning); };
   for (const auto& family : {geom_figures(), topo_figures(), offset_figures(), recon_figures(), fault_figures(),
                              mesh_figures(), quality_figures(), surf_figures(), trim_figures(), paper_figures(),
-                             import_figures(), free_border_figures(), param_figures()}) {
+                             import_figures(), free_border_figures(), param_figures(), loft_figures()}) {
     for (const Figure& figure : family) {
       if (asked(figure.name)) failed += failures(figure.name, write_figure(figure, folder, ending));
     }
   }
-  if (asked("boolean")) failed += failures("boolean", write_solids(folder / ("boolean." + ending)));
+  for (const std::string name : {"boolean", "sweeps", "section_loft", "csg", "cap", "section_block"}) {
+    if (asked(name)) failed += failures(name, write_solids(name, folder / (name + "." + ending)));
+  }
   if (asked("projection")) failed += failures("projection", write_projection(folder / ("projection." + ending)));
   const Folder examples = "resources/examples";
   if (asked("fold")) {
@@ -96,6 +98,10 @@ int write_all(const Folder& folder, const std::string& ending, const std::string
     failed +=
         failures("cracked_shell", write_space_example(quebra::core::program(), examples / "surfaces/cracked_shell.toml",
                                                       folder / "cracked_shell.png"));
+  }
+  if (asked("sections_in_space")) {
+    failed += failures("sections_in_space", write_space_example(recon::core::program(), examples / "recon/space.toml",
+                                                                folder / "sections_in_space.png"));
   }
   if (asked("bands_on_surface"))
     failed += failures("bands_on_surface", write_bands_on_surface(folder / "bands_on_surface.png"));

@@ -17,6 +17,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QUrl>
+#include <fstream>
 #include <set>
 
 #include "shared/gui/actions/palette.h"
@@ -274,6 +275,45 @@ TEST_P(Situations, AFileBeingImported) {
 TEST_P(Situations, AMeshAnalysed) {
   open("quebra/", "cracked_plate.toml");
   take("10_analysed");
+}
+
+TEST_P(Situations, ASurfaceAndItsChart) {
+  open("quebra/", "../surfaces/6.toml");
+  act("view.space.show.isocurves");
+  act("view.space.show.controls");
+  take("12_surface");
+  window_.reset();
+  open("quebra/", "../surfaces/cracked_shell.toml");
+  act("view.space.show.normals");
+  act("view.space.section");
+  take("12_surface_section");
+  window_->resize(1000, 700);
+  rest();
+  take("12_surface_small");
+}
+
+TEST_P(Situations, ARefusedSurface) {
+  open("quebra/");
+  const std::filesystem::path file = examples_.file("quebra/plate_with_hole.toml").parent_path() / "refused.toml";
+  std::ofstream(file)
+      << "dobra = 1\nprogram = \"quebra\"\n\n[[input.surface]]\nname = \"tube\"\nkind = "
+         "\"cylinder\"\nradius = 2\nu = [30, 150]\nv = [0, 6]\n\n[[input.trim]]\nname = \"first\"\nrole = "
+         "\"cut\"\npoints = [[60, 0], [60, 6]]\n\n[[input.part]]\nfate = \"keep\"\nat = [60, 3]\n";
+  ASSERT_TRUE(window_->open(file).ok());
+  rest();
+  QTest::qWait(300);
+  take("13_refused");
+}
+
+TEST_P(Situations, ASolidAndItsSection) {
+  open("quebra/", "../solids/pillar.toml");
+  take("14_pillar");
+  act("view.space.section");
+  take("14_pillar_section");
+  act("view.space.section");
+  act("view.space.show.exploded");
+  act("view.space.alone");
+  take("14_pillar_apart");
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Situations,

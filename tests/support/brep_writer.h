@@ -33,6 +33,21 @@ struct Path {
   std::function<Point(double)> at;
 };
 
+inline Carrier flat() {
+  return {"1 0 0 0 0 0 1 1 0 0 0 1 0 \n", [](Point p) { return Point3{p.x, p.y, 0.0}; }};
+}
+inline Carrier tube(double radius) {
+  return {fmt::format("2 0 0 0 0 0 1 1 0 0 0 1 0 {:.17g}\n", radius), [=](Point p) {
+            return Point3{radius * std::cos(p.x), radius * std::sin(p.x), p.y};
+          }};
+}
+inline Carrier ball(double radius) {
+  return {fmt::format("4 0 0 0 0 0 1 1 0 0 0 1 0 {:.17g}\n", radius), [=](Point p) {
+            return Point3{radius * std::cos(p.y) * std::cos(p.x), radius * std::cos(p.y) * std::sin(p.x),
+                          radius * std::sin(p.y)};
+          }};
+}
+
 inline Path line_path(Point a, Point b) {
   const geom::Vector way = b - a;
   const double size = geom::length(way);
@@ -178,6 +193,19 @@ struct DraftFace {
     return edges.size() - 1;
   }
 };
+
+/// A polygon of straight edges as a wire of its own.
+inline void add_wire(DraftFace& draft, const std::vector<Point>& corners) {
+  const std::size_t first = draft.vertices.size(), count = corners.size();
+  for (const Point& p : corners) draft.add_vertex(p);
+  draft.wires.emplace_back();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    const std::size_t edge =
+        draft.add_edge({line_path(corners[i], corners[next]), std::nullopt, first + i, first + next});
+    draft.wires.back().push_back({edge, '+'});
+  }
+}
 
 /// A cubic spline in space by the parameter of a path, with places and slopes at equal steps.
 inline std::string space_curve_text(const Carrier& surface, const Path& path, Vector3 aside) {

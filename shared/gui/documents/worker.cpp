@@ -50,6 +50,8 @@ struct Worker::Kept {
     const std::vector<scenario::State>& states = outcome->run.states;
     if (states.empty()) {
       outcome->picture = shared_with(program.picture_of_input(*document), {result});
+      if (auto space = program.space_of_input(*document))
+        outcome->space = std::make_shared<const scene::space::SpacePicture>(std::move(*space));
     } else {
       outcome->input = picture_of_input(program, states.front());
       outcome->picture = states.size() == 1 ? outcome->input

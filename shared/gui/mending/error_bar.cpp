@@ -1,7 +1,6 @@
 #include "shared/gui/mending/error_bar.h"
 
 #include <QApplication>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -39,6 +38,7 @@ ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), 
 }
 
 void ErrorBar::say(const QString& message, CanShow can_show) {
+  take_colors();
   words_->setText(message);
   show_->setVisible(can_show == CanShow::Yes);
   show();
@@ -46,9 +46,7 @@ void ErrorBar::say(const QString& message, CanShow can_show) {
 
 QString ErrorBar::message() const { return isHidden() ? QString() : words_->text(); }
 
-void ErrorBar::changeEvent(QEvent* event) {
-  QFrame::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange) return;
+void ErrorBar::take_colors() {
   const QString style = theme::error_bar_style(QApplication::palette());
   if (style != styleSheet()) setStyleSheet(style);
 }

@@ -21,14 +21,13 @@ class ErrorBar : public QFrame {
   /// @param can_show  whether there is a place, step or field to go to.
   void say(const QString& message, CanShow can_show);
   void clear() { hide(); }
+  /// Those of the palette of the application, once that is another: a style sheet does not follow it.
+  void take_colors();
   /// What is said now; empty if nothing is.
   [[nodiscard]] QString message() const;
 
  signals:
   void show_asked();
-
- protected:
-  void changeEvent(QEvent* event) override;
 
  private:
   QLabel* words_;

@@ -98,10 +98,23 @@ void SpaceWidget::cut_picture() {
   shown_ = picture_;
   if (section_ && !picture_.layers.empty()) {
     const geom::Box3 box = space::extent(picture_);
-    shown_ = space::cut(picture_, space::plane_of(*section_, box));
+    const space::CutPlane plane = space::plane_of(*section_, box);
+    shown_ = space::cut(picture_, plane);
     shown_.extent = box;  // what the plane goes by stays, whatever is hidden
+    if (caps_) add_caps(plane);
   }
   show_handle();
+}
+
+void SpaceWidget::add_caps(const space::CutPlane& plane) {
+  for (space::Layer& cap : caps_(plane)) {
+    for (const space::Layer& layer : picture_.layers) {
+      if (layer.key != space::known_key(cap.key)) continue;
+      cap.visible = layer.visible;
+      shown_.layers.push_back(std::move(cap));
+      break;
+    }
+  }
 }
 
 void SpaceWidget::show_handle() {
@@ -116,6 +129,8 @@ void SpaceWidget::set_section(const std::optional<space::Section>& section) {
   make_picker();
   show_picture();
 }
+
+space::CutPlane SpaceWidget::section_plane() const { return space::plane_of(*section_, space::extent(picture_)); }
 
 void SpaceWidget::move_section(const space::Section& section) {
   set_section(section);
@@ -207,9 +222,20 @@ void SpaceWidget::look_moved() {
   makeCurrent();
   hurry();
   space_->set_look(held_look());
+  seen_ = look_.view ? look_.view->world_per_point * plot().size() : QSizeF();
   if (space_->cost() > thinned_from) space_->hold_frame();
   doneCurrent();
   redraw();
+  emit view_changed();
+}
+
+/// What was in sight stays so, in a window of any size.
+void SpaceWidget::resized() {
+  handle_->resize(size());
+  const QSizeF room = plot().size();
+  if (space_ == nullptr || !look_.view || seen_.isEmpty() || room.isEmpty()) return;
+  look_.view->world_per_point = std::max(seen_.width() / room.width(), seen_.height() / room.height());
+  space_->set_look(held_look());
   emit view_changed();
 }
 
@@ -284,14 +310,16 @@ void SpaceWidget::show_marks() {
   if (space_ == nullptr) return;
   std::vector<space::Layer> layers;
   if (marked_) layers = space::highlight(shown_, *marked_);
-  if (marker_) {
-    space::Layer moving;
-    moving.key = "space.moving";
-    moving.style.line = moving_color;
-    moving.style.marker_size = 11.0;
-    moving.content = space::Markers{{marker_at_}, {}};
-    layers.push_back(std::move(moving));
-  }
+  const auto add_marker = [&](const char* key, geom::Point3 at, double size) {
+    space::Layer marker;
+    marker.key = key;
+    marker.style.line = moving_color;
+    marker.style.marker_size = size;
+    marker.content = space::Markers{{at}, {}};
+    layers.push_back(std::move(marker));
+  };
+  if (marker_) add_marker("space.moving", marker_at_, 11.0);
+  if (place_) add_marker("space.place", *place_, 13.0);
   makeCurrent();
   space_->set_overlay(layers);
   doneCurrent();
@@ -299,22 +327,31 @@ void SpaceWidget::show_marks() {
   redraw();
 }
 
+void SpaceWidget::show_place(const std::optional<geom::Point3>& place) {
+  if (std::exchange(place_, place) == place) return;
+  show_marks();
+}
+
 QString SpaceWidget::words_of(const space::SpacePick& pick) const {
   const auto is_it = [&](const space::Layer& layer) { return layer.key == pick.pick.layer; };
-  const auto layer = std::find_if(picture_.layers.begin(), picture_.layers.end(), is_it);
-  const std::string title = layer != picture_.layers.end() && !layer->title.empty() ? layer->title : pick.pick.layer;
+  const auto layer = std::find_if(shown_.layers.begin(), shown_.layers.end(), is_it);
+  const bool known = layer != shown_.layers.end();
+  const std::string title = known && !layer->title.empty() ? layer->title : pick.pick.layer;
+  const std::string name = known && pick.pick.id < layer->names.size() ? layer->names[pick.pick.id] : std::string();
   const double unit = picture_.axes.unit;
   const double scale = space_ != nullptr ? space_->layout().view.world_per_point : 1.0;
   // As many decimals as a pixel can tell apart.
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale / unit))), 0, 12);
-  const auto number = [&](const std::string& name, double value) {
+  const auto number = [&](const std::string& axis, double value) {
     return QString("%1 = %2").arg(
-        QString::fromStdString(name.substr(0, name.find(" ["))),
+        QString::fromStdString(axis.substr(0, axis.find(" ["))),
         QString::fromStdString(canvas::with_decimal_mark(QString::number(value / unit, 'f', decimals).toStdString())));
   };
   const space::Axes& axes = picture_.axes;
-  return text("%1, item %2").arg(QString::fromStdString(title)).arg(pick.pick.id) + ":   " +
-         number(axes.x_title, pick.place.x) + "   " + number(axes.y_title, pick.place.y) + "   " +
+  const QString what = QString::fromStdString(title);
+  return (name.empty() ? text("%1, item %2").arg(what).arg(pick.pick.id)
+                       : QString("%1, %2").arg(what, QString::fromStdString(name))) +
+         ":   " + number(axes.x_title, pick.place.x) + "   " + number(axes.y_title, pick.place.y) + "   " +
          number(axes.z_title, pick.place.z);
 }
 

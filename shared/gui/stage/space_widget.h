@@ -4,6 +4,7 @@
 // the plane of the screen. Page: docs/user/space_view.md.
 
 #include <QPointF>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,12 @@ class SpaceWidget : public VtkFrames {
   /// Cuts what is shown; nothing: all of it is shown. Of the view only.
   void set_section(const std::optional<scene::space::Section>& section);
   [[nodiscard]] const std::optional<scene::space::Section>& section() const { return section_; }
+  /// @pre section(), and a picture with layers
+  [[nodiscard]] scene::space::CutPlane section_plane() const;
+  /// What closes the cut that a plane makes: layers of surfaces whose keys end with scene::space::cap_end, shown where
+  /// the layer is that they are of.
+  using Caps = std::function<std::vector<scene::space::Layer>(const scene::space::CutPlane&)>;
+  void set_caps(Caps caps) { caps_ = std::move(caps); }
   [[nodiscard]] const SectionHandle& section_handle() const { return *handle_; }
   /// As it is cut, without what stands over it.
   [[nodiscard]] const scene::space::SpacePicture& shown() const { return shown_; }
@@ -62,6 +69,10 @@ class SpaceWidget : public VtkFrames {
   [[nodiscard]] const std::optional<scene::Pick>& marked() const { return marked_; }
   /// "Top of the sand, item 12: x = 3, y = 4, z = 5 m"
   [[nodiscard]] QString words_of(const scene::space::SpacePick& pick) const;
+
+  /// A place of the model is marked until that is taken back.
+  void show_place(const std::optional<geom::Point3>& place);
+  [[nodiscard]] const std::optional<geom::Point3>& place() const { return place_; }
 
   /// Markers of these layers can be dragged.
   void set_draggable(std::vector<std::string> layers) { draggable_ = std::move(layers); }
@@ -90,7 +101,7 @@ class SpaceWidget : public VtkFrames {
   std::unique_ptr<render::VtkStage> make_stage(vtkRenderWindow& window) override;
   void stage_made() override;
   void stage_goes() override { space_ = nullptr; }
-  void resized() override { handle_->resize(size()); }
+  void resized() override;
   [[nodiscard]] scene::Color paper() const override { return theme::canvas_colors(canvas_).ground.paper; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -105,6 +116,7 @@ class SpaceWidget : public VtkFrames {
  private:
   enum class Gesture { None, Press, Orbit, Pan, Marker, Section };
   void cut_picture();
+  void add_caps(const scene::space::CutPlane& plane);
   void move_section(const scene::space::Section& section);
   void show_handle();
   void show_picture();
@@ -131,8 +143,11 @@ class SpaceWidget : public VtkFrames {
   double exaggeration_ = 1.0;  ///< Over that of the picture.
   scene::space::Look look_;
   std::optional<geom::Point3> held_;   ///< What it turns about, once it has been moved.
+  QSizeF seen_;                        ///< What was in sight when it was moved last, world.
   render::VtkSpace* space_ = nullptr;  ///< The stage, as long as there is one.
   std::optional<scene::Pick> marked_;
+  std::optional<geom::Point3> place_;
+  Caps caps_;
   std::vector<std::string> draggable_;
   frames::Bench bench_;
   std::shared_ptr<scene::space::Picker> picker_;  ///< Null while it is being made.

@@ -6,6 +6,8 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 
+#include "shared/gui/theme/icons.h"
+
 namespace dobra::gui::theme {
 
 namespace {
@@ -62,7 +64,16 @@ QPalette made(bool dark) {
   return palette;
 }
 
-/// Fusion, whose boxes to tick are as dark as what is round them on dark palettes.
+/// More of a bar than there is room for.
+void draw_more(QPainter& painter) {
+  for (const double x : {4.0, 12.0}) painter.drawPolyline(QPolygonF({{x, 5.0}, {x + 7.0, 12.0}, {x, 19.0}}));
+}
+
+void draw_more_below(QPainter& painter) {
+  for (const double y : {4.0, 12.0}) painter.drawPolyline(QPolygonF({{5.0, y}, {12.0, y + 7.0}, {19.0, y}}));
+}
+
+/// Fusion, whose boxes to tick and arrows of bars are as dark as what is round them on dark palettes.
 class Style : public QProxyStyle {
  public:
   Style() : QProxyStyle("fusion") {}
@@ -77,6 +88,12 @@ class Style : public QProxyStyle {
     painter->setBrush(Qt::NoBrush);
     painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
     painter->restore();
+  }
+
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
+    if (which == SP_ToolBarHorizontalExtensionButton) return icon(draw_more);
+    if (which == SP_ToolBarVerticalExtensionButton) return icon(draw_more_below);
+    return QProxyStyle::standardIcon(which, option, widget);
   }
 };
 

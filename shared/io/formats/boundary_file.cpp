@@ -24,12 +24,12 @@ struct Row {
   bool binary;               ///< May be no text.
   std::size_t most_corners;  ///< Of a face.
   Result<mesh::PolygonMesh> (*parse)(std::string_view bytes, const std::string& file);
-  std::string (*text)(const mesh::PolygonMesh& mesh);
+  std::string (*text)(const mesh::PolygonMesh& mesh, std::span<const std::string> groups);
 };
 
 template <meshes::PolygonFormat format>
-std::string text_as(const mesh::PolygonMesh& mesh) {
-  return meshes::polygons_text(mesh, format);
+std::string text_as(const mesh::PolygonMesh& mesh, std::span<const std::string> groups) {
+  return meshes::polygons_text(mesh, format, groups);
 }
 
 constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
@@ -39,7 +39,8 @@ constexpr std::array rows{
     Row{"obj", false, any, meshes::parse_obj, text_as<meshes::PolygonFormat::Obj>},
     Row{"ply", false, in_a_byte, meshes::parse_ply, text_as<meshes::PolygonFormat::Ply>},
     Row{"off", false, any, meshes::parse_off, text_as<meshes::PolygonFormat::Off>},
-    Row{"stl", true, 3, meshes::parse_stl_facets, [](const mesh::PolygonMesh& mesh) { return meshes::stl_text(mesh); }},
+    Row{"stl", true, 3, meshes::parse_stl_facets,
+        [](const mesh::PolygonMesh& mesh, std::span<const std::string>) { return meshes::stl_text(mesh); }},
 };
 
 const Row* row_of(const std::string& path) {
@@ -87,9 +88,10 @@ Result<void> check_boundary_ending(const std::string& path) {
                                                 fmt::join(boundary_endings(), " "))};
 }
 
-Result<void> write_boundary(const std::string& path, const mesh::PolygonMesh& mesh) {
+Result<void> write_boundary(const std::string& path, const mesh::PolygonMesh& mesh,
+                            std::span<const std::string> groups) {
   DOBRA_TRY_VOID(check_boundary_ending(path));
-  return write_text(path, row_of(path)->text(mesh));
+  return write_text(path, row_of(path)->text(mesh, groups));
 }
 
 }  // namespace dobra::io::formats

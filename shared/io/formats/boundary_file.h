@@ -1,6 +1,7 @@
 #pragma once
 // Boundaries of solids to and from the formats of polygon meshes, by the ending of the file's name.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,11 @@ std::size_t most_corners(const std::string& path);
 base::Result<mesh::PolygonMesh> read_boundary(const std::string& path);
 
 /// With every digit.
+/// @param groups  of each face, as meshes::polygons_text() has them; where the format holds them.
 /// @pre   no face has more than most_corners()
 /// @error BadUsage naming the endings; CannotWrite.
-base::Result<void> write_boundary(const std::string& path, const mesh::PolygonMesh& mesh);
+base::Result<void> write_boundary(const std::string& path, const mesh::PolygonMesh& mesh,
+                                  std::span<const std::string> groups = {});
 /// The same question before long work.
 base::Result<void> check_boundary_ending(const std::string& path);
 

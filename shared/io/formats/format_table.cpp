@@ -22,6 +22,7 @@
 #include "shared/io/lines/move_ascii.h"
 #include "shared/io/lines/wkt.h"
 #include "shared/io/meshes/bdf.h"
+#include "shared/io/meshes/dxf_faces.h"
 #include "shared/io/meshes/mesh_polygons.h"
 #include "shared/io/meshes/mesh_sides.h"
 #include "shared/io/meshes/msh.h"
@@ -29,6 +30,7 @@
 #include "shared/io/meshes/node_ele.h"
 #include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/stl.h"
+#include "shared/io/meshes/tsurf.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
 
@@ -305,6 +307,23 @@ MeshRow polygon_row(std::string_view note = {}) {
           .note = note};
 }
 
+MeshRow tsurf_row() {
+  return {.parse = [](std::string_view text, const std::string& file) -> Result<MeshContents> {
+            DOBRA_TRY(const mesh::PolygonMesh polygons, meshes::parse_tsurf(text, file));
+            DOBRA_TRY(ElementMesh mesh, meshes::elements_of(polygons, file));
+            return MeshContents{std::move(mesh), {}};
+          },
+          .text = [](const ElementMesh& mesh, InpElement, meshes::Heights heights) -> Result<std::string> {
+            DOBRA_TRY_VOID(meshes::check_writable(mesh, heights));
+            const std::vector<meshes::TSurf> one{{"mesh", "", meshes::polygons_of(mesh, heights)}};
+            return meshes::tsurfs_text(one);
+          },
+          .polygons = meshes::parse_tsurf,
+          .space = true,
+          .surface = true,
+          .note = "# {}\n"};
+}
+
 MeshRow stl_row() {
   return {.parse = [](std::string_view text, const std::string& file) -> Result<MeshContents> {
             DOBRA_TRY(const mesh::TriangleMesh triangles, meshes::parse_stl(text, file));
@@ -363,10 +382,11 @@ const std::vector<Format>& all_formats() {
       {"dxf",
        "DXF",
        {".dxf"},
-       "LINE, POLYLINE, LWPOLYLINE (with elevation, code 38), ARC, CIRCLE, ELLIPSE, SPLINE",
+       "LINE, POLYLINE, LWPOLYLINE (with elevation, code 38), ARC, CIRCLE, ELLIPSE, SPLINE; as a mesh, 3DFACE",
        "release 12, POLYLINE",
        "the layer is the name; kinds that are lost are named",
-       dxf_row()},
+       dxf_row(),
+       MeshRow{.polygons = meshes::parse_dxf_faces}},
       {"move",
        "MOVE",
        {".asc", ".move"},
@@ -479,6 +499,14 @@ const std::vector<Format>& all_formats() {
        "corners only",
        {},
        polygon_row<meshes::parse_off, PolygonFormat::Off>()},
+      {"tsurf",
+       "GOCAD: surfaces",
+       {".ts"},
+       "TSurf, one or several, elevations or depths",
+       "TSurf 1",
+       "corners; names and kinds of horizons and faults",
+       {},
+       tsurf_row()},
       {"geo",
        "gmsh: geometry",
        {".geo"},

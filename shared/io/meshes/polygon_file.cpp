@@ -172,7 +172,7 @@ Result<PolygonMesh> parse_ply(std::string_view text, const std::string& file) {
   return mesh;
 }
 
-std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format) {
+std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format, std::span<const std::string> groups) {
   const bool obj = format == PolygonFormat::Obj;
   std::string text;
   if (format == PolygonFormat::Off) text = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.faces.size());
@@ -186,7 +186,9 @@ std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format) {
     text += fmt::format("{}{} {} {}\n", obj ? "v " : "", base::number_text(p.x), base::number_text(p.y),
                         base::number_text(p.z));
   }
-  for (const auto& face : mesh.faces) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
+    if (obj && !groups.empty() && (f == 0 || groups[f] != groups[f - 1])) text += fmt::format("g {}\n", groups[f]);
     text += obj ? std::string("f") : fmt::format("{}", face.size());
     for (const std::uint32_t corner : face) text += fmt::format(" {}", corner + (obj ? 1 : 0));
     text += '\n';

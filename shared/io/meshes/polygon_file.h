@@ -2,6 +2,7 @@
 // Polygon meshes in space: OBJ (v, f), OFF and PLY, as text. Read as they stand, without mending: polygon_mesh.h says
 // what is wrong with them.
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ base::Result<mesh::PolygonMesh> parse_ply(std::string_view text, const std::stri
 
 enum class PolygonFormat { Obj, Off, Ply };
 /// With every digit: the parsers give the same mesh back.
-std::string polygons_text(const mesh::PolygonMesh& mesh, PolygonFormat format);
+/// @param groups  of OBJ: the names of the groups that each face is in, with blanks between; none if empty. The other
+///                formats have no place for them.
+std::string polygons_text(const mesh::PolygonMesh& mesh, PolygonFormat format,
+                          std::span<const std::string> groups = {});
 
 }  // namespace dobra::io::meshes

@@ -74,7 +74,8 @@ struct Layer {
   std::variant<Lines, Markers, Surface, Labels, Curtain> content;
   bool visible = true;
   InLegend in_legend = InLegend::Yes;
-  std::string legend{};  ///< What the legend calls it; empty: title.
+  std::string legend{};                            ///< What the legend calls it; empty: title.
+  base::Shared<std::vector<std::string>> names{};  ///< What its items are called, by their identities; empty: numbers.
 };
 
 /// Goes with the viewer. A face that it falls on squarely has its own colour, one that it does not reach `ambient` of
@@ -141,9 +142,11 @@ inline constexpr const char* panel_key = "space";
 inline constexpr std::string_view outline_end = ".outline";
 /// The line along which a plane cuts a surface (cut.h).
 inline constexpr std::string_view cut_end = ".cut";
+/// The area with which a plane closes what it has cut of a solid.
+inline constexpr std::string_view cap_end = ".cap";
 /// The key of the layer that the user knows.
 constexpr std::string_view known_key(std::string_view layer) {
-  for (const std::string_view end : {outline_end, cut_end}) {
+  for (const std::string_view end : {outline_end, cut_end, cap_end}) {
     if (layer.ends_with(end)) return layer.substr(0, layer.size() - end.size());
   }
   return layer;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "shared/solid/placement.h"
+#include "shared/solid/shape/contours.h"
 
 namespace dobra::solid::shape {
 namespace {
@@ -17,103 +18,6 @@ using base::Result;
 using geom::Point;
 using geom::Point3;
 using geom::Vector3;
-using Ring = std::vector<std::uint32_t>;
-
-base::Place at_point(Point3 p) { return {.x = p.x, .y = p.y, .z = p.z}; }
-
-/// A contour that runs anticlockwise, with the name of the side that leaves each corner.
-struct Contour {
-  std::vector<Point> points;
-  std::vector<std::string> names;
-};
-
-Result<void> check_contour(const geom::Polyline& line, const char* what) {
-  const std::size_t n = line.points.size();
-  const auto refuse = [&](ErrorCode code, const std::string& why) {
-    return Error{code, fmt::format("the {} {}", what, why)};
-  };
-  if (n < 3) return refuse(ErrorCode::DegenerateCurve, fmt::format("has {} points and needs three or more", n));
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point p = line.points[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y))
-      return refuse(ErrorCode::NotFinite, fmt::format("has no finite number at point {}", i + 1));
-    if (p == line.points[(i + 1) % n]) {
-      return refuse(ErrorCode::DegenerateCurve,
-                    fmt::format("has point {} at the place of the one before it; leave it out (the last point of a "
-                                "contour is joined to its first by itself)",
-                                (i + 1) % n + 1));
-    }
-  }
-  if (geom::signed_area({line.points, true}) == 0.0)
-    return refuse(ErrorCode::DegenerateCurve, "has no area: give corners that surround one");
-  return {};
-}
-
-/// Anticlockwise, or clockwise for a hole.
-Contour turned_contour(const geom::Polyline& line, bool hole, SideNames names, const std::string& stem) {
-  Contour contour{line.points, {}};
-  const std::size_t n = contour.points.size();
-  for (std::size_t i = 0; i < n; ++i)
-    contour.names.push_back(names == SideNames::Each && !hole ? fmt::format("{}_{}", stem, i + 1) : stem);
-  if ((geom::signed_area({line.points, true}) > 0.0) == hole) {
-    std::reverse(contour.points.begin(), contour.points.end());
-    // The side that leaves a corner is now the one that came to it.
-    std::reverse(contour.names.begin(), contour.names.end());
-    std::rotate(contour.names.begin(), contour.names.begin() + 1, contour.names.end());
-  }
-  return contour;
-}
-
-Result<std::vector<Contour>> contours_of(const Profile& profile, SideNames names) {
-  DOBRA_TRY_VOID(check_contour(profile.outline, "outline of the profile"));
-  std::vector<Contour> contours{turned_contour(profile.outline, false, names, "side")};
-  for (std::size_t i = 0; i < profile.holes.size(); ++i) {
-    DOBRA_TRY_VOID(check_contour(profile.holes[i], "hole of the profile"));
-    contours.push_back(turned_contour(profile.holes[i], true, names,
-                                      names == SideNames::Each ? fmt::format("hole_{}", i + 1) : "hole"));
-  }
-  return contours;
-}
-
-/// Collects the points and faces of a shape; `mirrored` turns all faces over.
-class Maker {
- public:
-  explicit Maker(bool mirrored = false) : mirrored_(mirrored) {}
-
-  std::uint32_t point(Point3 p) {
-    shape_.mesh.points.push_back(p);
-    return static_cast<std::uint32_t>(shape_.mesh.points.size() - 1);
-  }
-  void face(std::vector<Ring> loops, std::string name) {
-    if (mirrored_) {
-      for (Ring& loop : loops) std::reverse(loop.begin(), loop.end());
-    }
-    shape_.mesh.faces.push_back(std::move(loops));
-    shape_.names.push_back(std::move(name));
-  }
-  Shape take() { return std::move(shape_); }
-
- private:
-  Shape shape_;
-  bool mirrored_;
-};
-
-using Rings = std::vector<Ring>;  // one a contour
-
-template <class Place>
-Rings rings_at(Maker& maker, const std::vector<Contour>& contours, Place&& place) {
-  Rings rings;
-  for (const Contour& contour : contours) {
-    Ring& ring = rings.emplace_back();
-    for (const Point p : contour.points) ring.push_back(maker.point(place(p)));
-  }
-  return rings;
-}
-
-Rings reversed(Rings rings) {
-  for (Ring& ring : rings) std::reverse(ring.begin(), ring.end());
-  return rings;
-}
 
 /// The sides between two copies of the contours, the second farther along the direction from which they run
 /// anticlockwise.
@@ -126,8 +30,6 @@ void add_sides(Maker& maker, const std::vector<Contour>& contours, const Rings& 
     }
   }
 }
-
-Point3 flat(Point p) { return {p.x, p.y, 0.0}; }
 
 /// Why the path folds, if it does so at a corner or has a leg without length.
 std::optional<Error> fold_of(const std::vector<Point3>& path) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/base/error.h"
+#include "shared/base/finding.h"
 #include "shared/geom/point.h"
 #include "shared/geom/point3.h"
 #include "shared/mesh/triangle_mesh.h"
@@ -41,11 +41,6 @@ struct SurfaceMesh {
   friend bool operator==(const SurfaceMesh&, const SurfaceMesh&) = default;
 };
 
-/// What was mended, or what an answer leaves open; it stands beside a mesh, never instead of one.
-struct Finding {
-  std::string code;     ///< Stable, for scripts: "gap_closed", "loop_turned", "kink".
-  std::string message;  ///< One line.
-  base::Place place;    ///< x, y, z and u, v; or file and line.
-};
+using Finding = base::Finding;
 
 }  // namespace dobra::surf::mesh

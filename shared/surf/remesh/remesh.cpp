@@ -43,6 +43,10 @@ constexpr std::array<std::array<double, 3>, 10> looks{{{0.5, 0.5, 0.0},
                                                        {0.75, 0.0, 0.25},
                                                        {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}}};
 
+/// Places of a triangle at which the way that a surface faces is looked at.
+constexpr std::array<std::array<double, 3>, 4> spots{
+    {{0.8, 0.1, 0.1}, {0.1, 0.8, 0.1}, {0.1, 0.1, 0.8}, {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}}};
+
 Point3 at(const std::vector<Point3>& points, const std::array<std::uint32_t, 3>& t, const std::array<double, 3>& c) {
   return points[t[0]] + c[1] * (points[t[1]] - points[t[0]]) + c[2] * (points[t[2]] - points[t[0]]);
 }
@@ -93,6 +97,7 @@ class Remesher {
     DOBRA_TRY(Surface guide, guide_of(0));
     Remeshed made;
     double crease = options_.crease;
+    if (turns_over(guide)) guide = pieces, guide_ = 1;
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
       const base::Progress part = progress.part(from, from + 1.0 / (options_.rounds + 1));
@@ -189,6 +194,24 @@ class Remesher {
       chart = std::make_shared<const param::DiscreteChart>(std::move(sheet), charted_.parametrisation.uv);
     }
     return param::Recovered(std::move(chart), {.meets = param::Meets::Border}).surface();
+  }
+
+  /// Somewhere the surface faces the other way than the triangle there, as one does that rounds sharp corners.
+  [[nodiscard]] bool turns_over(const Surface& surface) const {
+    const auto& sheet = charted_.opened.sheet;
+    const auto& uv = charted_.parametrisation.uv;
+    std::vector<Point> places;
+    for (const auto& [a, b, c] : sheet.triangles) {
+      for (const auto& at : spots) places.push_back(uv[a] + at[1] * (uv[b] - uv[a]) + at[2] * (uv[c] - uv[a]));
+    }
+    std::vector<Jet> jets(places.size());
+    surface.jets(places, jets);
+    for (std::size_t i = 0; i < jets.size(); ++i) {
+      const auto& [a, b, c] = sheet.triangles[i / spots.size()];
+      const geom::Vector3 normal = cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]);
+      if (!(dot(cross(jets[i].u, jets[i].v), normal) > 0.0)) return true;
+    }
+    return false;
   }
 
   /// The place in the chart is one in space for the user.

@@ -14,8 +14,12 @@ class FiniteResults : public dobra::test::CommandLine {
 
 TEST_F(FiniteResults, OfEveryExample) {
   int count = 0;
-  for (const auto& file :
-       std::filesystem::directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/examples/quebra")) {
+  const std::filesystem::path examples = std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/examples";
+  std::vector<std::filesystem::directory_entry> files;
+  for (const char* const folder : {"quebra", "solids"}) {
+    for (const auto& file : std::filesystem::directory_iterator(examples / folder)) files.push_back(file);
+  }
+  for (const auto& file : files) {
     if (file.path().extension() != ".toml") continue;
     const std::string folder = path("out" + std::to_string(++count));
     const auto run = call({"run", file.path().string(), "--out", folder, "--pictures", "none", "--json"});

@@ -113,6 +113,45 @@ TEST_F(SolidCommand, OpenInvertedAndCrossingBoundariesAreRefusedWithTheirFaces) 
   EXPECT_THAT(told["message"].get<std::string>(), testing::MatchesRegex("faces [0-5] and ([6-9]|1[01]) cross.*"));
 }
 
+TEST_F(SolidCommand, RepairTellsWhatItDidAndWhatItCannotMendIsRefused) {
+  std::string open = box({0, 0, 0}, {1, 1, 1});
+  open.resize(open.rfind("f "));
+  const std::string file = put("open.obj", open);
+  EXPECT_EQ(finding({file}, 3)["code"], "not_closed");
+  const json mended = told({file, "--repair", "0"});
+  EXPECT_EQ(mended["volume"], 1.0);
+  ASSERT_EQ(mended["findings"].size(), 1U) << mended;
+  EXPECT_EQ(mended["findings"][0]["code"], "repaired");
+  EXPECT_EQ(mended["findings"][0]["place"]["point"], (std::vector<double>{1.0, 0.5, 0.5}));
+  EXPECT_EQ(told({put("inside_out.obj", box({1, 0, 0}, {0, 1, 1})), "--repair", "0"})["volume"], 1.0);
+  const std::string crossing = put("crossing.obj", box({0, 0, 0}, {2, 2, 2}) + box({1, 1, 1}, {3, 3, 3}, 9));
+  EXPECT_EQ(finding({crossing, "--repair", "0"}, 3)["code"], "self_intersection");
+  EXPECT_EQ(call({"solid", file, "--repair", "-1"}).code, 3);
+}
+
+TEST_F(SolidCommand, OctreesBoundTheVolume) {
+  const std::string block = put("block.obj", box({0, 0, 0}, {1, 1, 1}));
+  const std::string corner = put("corner.obj", box({0, 0, 0}, {0.5, 0.5, 0.3}));
+  const json told = this->told({block, "--subtract", corner, "--octree", "3"});
+  EXPECT_EQ(told["volume"], 1.0 - 0.075);
+  const json& body = told["octree"]["bodies"][0];
+  // Of eight layers of 16 cells under the corner two are gone, and one is between.
+  EXPECT_EQ(body["volume"][0], 1.0 - 3 * 16 / 512.0);
+  EXPECT_EQ(body["volume"][1], 1.0 - 2 * 16 / 512.0);
+  EXPECT_EQ(body["partial"], 16);
+  EXPECT_EQ(told["octree"]["clashes"].size(), 0U);
+  EXPECT_EQ(call({"solid", block, "--octree", "13"}).code, 3);
+  EXPECT_EQ(this->told({block, "--subtract", block, "--octree", "2"})["octree"]["bodies"].size(), 0U);
+}
+
+TEST_F(SolidCommand, CentroidAndInertiaAreThoseOfTheBox) {
+  const json told = this->told({put("block.obj", box({1, 2, 3}, {2, 4, 7}))});
+  EXPECT_EQ(told["centroid"], (std::vector<double>{1.5, 3.0, 5.0}));
+  // m (b^2 + c^2) / 12 for the mass 8.
+  const std::vector<double> inertia{8 * (4 + 16) / 12.0, 8 * (16 + 1) / 12.0, 8 * (1 + 4) / 12.0, 0, 0, 0};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(told["inertia"][i], inertia[i], 1e-14);
+}
+
 TEST_F(SolidCommand, FilesThatAreNoBoundariesAreRefused) {
   EXPECT_EQ(finding({path("missing.stl")}, 3)["code"], "file_not_found");
   EXPECT_EQ(finding({put("part.step", "ISO-10303-21;\n")}, 3)["code"], "unknown_format");

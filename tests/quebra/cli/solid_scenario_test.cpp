@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "quebra/cli/mesh_command.h"
 #include "quebra/cli/solid_command.h"
@@ -116,6 +117,21 @@ TEST_F(SolidScenario, APlaneThatMissesOrTouchesGivesNothingAndSaysSo) {
   EXPECT_EQ(told({file, "--cut", "0,0,1,-1"})["findings"][0]["code"], "cut_in_face");
 }
 
+TEST_F(SolidScenario, AFaceInThePlaneIsToldByTheOptionAndByTheStep) {
+  const std::string stairs = solids_head + block("low", "[0,0,0]", "[1,1,1]") + block("high", "[1,0,0]", "[1,1,2]") +
+                             step("unite", "all", "of = [\"low\", \"high\"]");
+  const std::string file = put("stairs.toml", stairs);
+  EXPECT_EQ(told({file, "--cut", "0,0,1,-1"})["findings"][0]["code"], "cut_in_face");
+  EXPECT_EQ(told({file, "--cut", "0,0,1,-1.5"})["findings"].size(), 0U);
+  for (const auto& [plane, in_face] : std::vector<std::pair<std::string, bool>>{{"-1", true}, {"-1.5", false}}) {
+    const std::string cut = put("cut.toml", stairs + "[[step]]\noperation = \"cut\"\nplane = [0, 0, 1, " + plane +
+                                                "]\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n");
+    const auto outcome = call({"mesh", cut});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("the plane lies in a face") != std::string::npos, in_face) << outcome.err;
+  }
+}
+
 TEST_F(SolidScenario, ASectionIsADomainThatIsMeshed) {
   // Two arms, one of which a bore passes, in two materials.
   const std::string text =
@@ -159,6 +175,59 @@ TEST_F(SolidScenario, FilesAreCutByTheirNames) {
   EXPECT_EQ(cut["cut"]["holes"], 1);
   EXPECT_THAT(text("cut.toml"), HasSubstr("name = \"bore\""));
   EXPECT_THAT(text("cut.toml"), HasSubstr("name = \"rock\""));
+}
+
+TEST_F(SolidScenario, LoftsAreRefusedWhereProfilesDoNotFollowEachOther) {
+  const auto loft = [](const std::string& at) {
+    return solids_head + step("loft", "f",
+                              "[[step.profile]]\npoints = [[-2,-2],[2,-2],[2,2],[-2,2]]\n"
+                              "[[step.profile]]\npoints = [[-1,-1],[1,-1],[1,1],[-1,1]]\nat = " +
+                                  at);
+  };
+  EXPECT_THAT(refused(loft("[0, 0, 0]"))["message"].get<std::string>(), HasSubstr("not in front of profile 1"));
+  EXPECT_THAT(refused(solids_head + step("loft", "f", "[[step.profile]]\npoints = [[0,0],[1,0],[0,1]]"))["message"]
+                  .get<std::string>(),
+              HasSubstr("two profiles or more"));
+  const json frustum = told({put("loft.toml", loft("[0, 0, 3]"))});
+  EXPECT_EQ(frustum["volume"], 28.0);
+  EXPECT_EQ(frustum["faces"], 6);
+}
+
+TEST_F(SolidScenario, REP_d_AreasOfSpecimensFollowTheirSizes) {
+  constexpr double pi = std::numbers::pi;
+  const std::vector<std::pair<std::string, double>> cases{
+      {"plate_with_hole\"\nwidth = 8\nheight = 6\nradius = 1.5", 48.0 - 2.25 * pi},
+      {"compact_tension\"\nwidth = 60\ncrack_length = 20", 1.25 * 1.2 * 60 * 60 - 2.0 * 7.5 * 7.5 * pi},
+      {"three_point_bend\"\nwidth = 10\nheight = 2\ncrack_length = 0.5", 20.0},
+      {"double_cantilever\"\nwidth = 50\nheight = 8\ncrack_length = 30", 400.0}};
+  for (const auto& [specimen, area] : cases) {
+    const auto meshed =
+        call({"mesh", put("specimen.toml", "dobra = 1\nprogram = \"quebra\"\n[input]\nspecimen = \"" + specimen + "\n"),
+              "--order", "2", "--json"});
+    ASSERT_EQ(meshed.code, 0) << meshed.err;
+    // Arcs are meshed with parabolic sides.
+    EXPECT_NEAR(json::parse(meshed.out)["area"], area, 5e-5 * area) << specimen;
+  }
+}
+
+TEST_F(SolidScenario, REP_d_AGroupOfGroupsMovesAsOne) {
+  const std::string text = solids_head +
+                           step("extrude", "plate",
+                                "points = [[0,0],[6,0],[6,5],[0,5]]\nby = [0,0,2]\n"
+                                "[[step.hole]]\npoints = [[1,1],[2,1],[2,2],[1,2]]") +
+                           block("pin", "[1,1,-1]", "[1,1,4]") + step("group", "gauge", "of = [\"plate\", \"pin\"]") +
+                           block("anvil", "[0,-1,0]", "[6,1,2]") + step("group", "rig", "of = [\"gauge\", \"anvil\"]") +
+                           step("place", "moved", "of = [\"rig\"]\nturn = 90\nby = [100, 0, 0]");
+  const std::string file = put("rig.toml", text);
+  const double volume = 29.0 * 2 + 4.0 + 12.0;  // the plate without its hole, the pin in it, the anvil
+  EXPECT_EQ(told({file, "--part", "rig"})["volume"], volume);
+  EXPECT_EQ(told({file})["volume"], volume);
+  // All bodies are where the matrix puts them: (x, y) to (100 - y, x).
+  const json section = told({file, "--cut", "0,0,1,-0.5"});
+  EXPECT_EQ(section["cut"]["area"], 30.0 + 6.0);
+  EXPECT_EQ(section["cut"]["regions"].size(), 3U);
+  const json where = told({file, "--intersect", put("box.toml", solids_head + block("b", "[95,0,0]", "[6,6,2]"))});
+  EXPECT_EQ(where["volume"], volume - 2.0);  // of the pin, what stands out at both ends
 }
 
 TEST_F(SolidScenario, TheTreeGivesWhatItsStepsSay) {

@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QToolBar>
 #include <QToolButton>
@@ -12,6 +13,7 @@
 
 #include "quebra/core/surface_marks.h"
 #include "quebra/gui/surfaces_shown.h"
+#include "shared/gui/mending/error_bar.h"
 #include "shared/gui/stage/space_widget.h"
 #include "shared/io/file.h"
 #include "shared/scenario/entries.h"
@@ -519,6 +521,73 @@ TEST(SurfacesWindow, ABoundaryModelOpensAsADocumentThatMeshesIt) {
   QString words;
   for (const QLabel* label : window->findChildren<QLabel*>()) words += label->text() + "\n";
   EXPECT_TRUE(words.contains("faces of a file") || words.contains("click inside")) << words.toStdString();
+}
+
+/// The part to keep lies on a line.
+const std::string refused =
+    "dobra = 1\nprogram = \"quebra\"\n\n[[input.surface]]\nname = \"tube\"\nkind = \"cylinder\"\nradius = 2\nu = [30, "
+    "150]\nv = [0, 6]\n\n[[input.trim]]\nname = \"first\"\nrole = \"cut\"\npoints = [[60, 0], [60, 6]]\n\n"
+    "[[input.part]]\nfate = \"keep\"\nat = [60, 3]\n";
+
+TEST(SurfacesWindow, ARefusedInputIsDrawnAsFarAsItCanBeWithItsPlace) {
+  SurfaceWindow window;
+  window.open_text(refused);
+  const auto& outcome = *window->session().outcome();
+  ASSERT_TRUE(outcome.run.error);
+  ASSERT_TRUE(outcome.run.error->place && outcome.run.error->place->u);
+  // The surface and its lines, in space and in the chart.
+  EXPECT_TRUE(window.space().isVisible());
+  ASSERT_NE(window.layer("faces"), nullptr);
+  ASSERT_NE(window.layer("internal"), nullptr);
+  EXPECT_NE(SurfaceWindow::content<scene::Lines>(window.chart().layers, "internal"), nullptr);
+  // The place: 60 degrees round the axis, 3 along it.
+  ASSERT_TRUE(window.space().place());
+  EXPECT_NEAR(window.space().place()->x, 1.0, 1e-9);
+  EXPECT_NEAR(window.space().place()->y, std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(window.space().place()->z, 3.0, 1e-9);
+  const QString said = window->error_bar().message();
+  EXPECT_TRUE(said.contains("(at 1, 1.73205")) << said.toStdString();
+  EXPECT_TRUE(said.contains(", 3) (u = 60, v = 3)")) << said.toStdString();
+  // Show goes to the place in the chart, which is drawn as long as in space.
+  emit window->error_bar().show_asked();
+  const Point centre = window->view().view(0).centre;
+  EXPECT_NEAR(centre.x, 2.0 * 30.0 * std::acos(-1.0) / 180.0, 1e-6);
+  EXPECT_NEAR(centre.y, 3.0, 1e-6);
+  // What is mended is shown as ever, without the place.
+  std::string mended = refused;
+  mended.replace(mended.find("at = [60, 3]"), 12, "at = [80, 3]");
+  window.open_text(mended);
+  EXPECT_FALSE(window->session().outcome()->run.error);
+  EXPECT_FALSE(window.space().place());
+}
+
+TEST(SurfacesWindow, AChartSaysUAndVAsTheyAreWritten) {
+  SurfaceWindow window;
+  std::string text = refused;
+  text.replace(text.find("at = [60, 3]"), 12, "at = [80, 3]");
+  window.open_text(text);
+  const scene::Axes& axes = window.chart().axes;
+  ASSERT_TRUE(axes.x_reading && axes.y_reading);
+  EXPECT_EQ(axes.x_reading->title, "u [\u00b0]");
+  EXPECT_EQ(axes.y_reading->title, "v [m]");
+  const double degree = 2.0 * std::acos(-1.0) / 180.0;  // of a circle of radius 2, m
+  EXPECT_NEAR(axes.x_reading->of(0.0), 30.0, 1e-9);
+  EXPECT_NEAR(axes.x_reading->of(60.0 * degree), 90.0, 1e-6);
+  EXPECT_NEAR(axes.y_reading->of(1.5), 1.5, 1e-9);
+  // The same of millimetres.
+  text.replace(text.find("\n\n"), 1, "\nunit_system = \"mm, N, MPa\"\n");
+  window.open_text(text);
+  const scene::Axes& mm = window.chart().axes;
+  EXPECT_EQ(mm.y_reading->title, "v [mm]");
+  EXPECT_NEAR(mm.x_reading->of(60.0 * degree), 90.0, 1e-6);
+  EXPECT_NEAR(mm.y_reading->of(1.5), 1.5, 1e-9);
+  // And under the cursor.
+  const QPointF pixel = window.pixel(0, {60.0 * degree, 3.0});
+  window.move(pixel);
+  QString words;
+  for (const QLabel* label : window->findChildren<QLabel*>()) words += label->text() + "\n";
+  EXPECT_TRUE(words.contains(QRegularExpression("u = (89|90)[.0-9]* \u00b0   v = (2.9|3.0)[0-9]* mm")))
+      << words.toStdString();
 }
 
 /// Nine faces, four charts side by side: that of a face that is clicked comes into the place of the last.

@@ -2,10 +2,13 @@
 
 #include "quebra/surfaces/crack_lines.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "quebra/surfaces/mesh_surfaces.h"
@@ -75,6 +78,40 @@ TEST(CrackLines, BandsOnACylinderHaveTheirDistanceInSpace) {
   const auto mesh = meshed(*made, 0.4);
   EXPECT_GE(mesh.quality.alpha_min, 0.3);
   EXPECT_EQ(mesh.mesh.constraint_sets.count("k_band_1"), 1U);
+}
+
+/// The chart is 1.05 radians by 8 m: what is round in space is a flat oval there, whichever way the crack runs.
+TEST(CrackLines, BandsAndRosettesRoundObliqueCracksOnACylinder) {
+  const std::string arch =
+      "[[input.surface]]\nname = \"arch\"\nkind = \"cylinder\"\nradius = 10\nu = [60, 120]\nv = [0, 8]\n";
+  const auto place = [](double u, double v) {
+    const double angle = u * std::numbers::pi / 180.0;
+    return Point3{10.0 * std::cos(angle), 10.0 * std::sin(angle), v};
+  };
+  for (const auto& [u0, v0, u1, v1] : {std::array{78.0, 3.0, 102.0, 4.6}, std::array{80.0, 2.5, 100.0, 5.5},
+                                       std::array{100.0, 3.1, 79.0, 4.9}, std::array{89.0, 2.0, 91.0, 6.0}}) {
+    const std::string points = fmt::format("[[{}, {}], [{}, {}]]", u0, v0, u1, v1);
+    const auto made = surfaces_of(arch + crack(points, "bands = [0.5, 1.0]\nrosette = 0.3\n"));
+    ASSERT_TRUE(made) << points << to_string(made.error());
+    EXPECT_EQ(codes(*made), std::vector<std::string>{}) << points;
+    // The crack in space, by many places.
+    std::vector<Point3> along_crack;
+    constexpr int n = 4000;
+    for (int i = 0; i <= n; ++i) along_crack.push_back(place(u0 + (u1 - u0) * i / n, v0 + (v1 - v0) * i / n));
+    for (const auto& [name, distance] : {std::pair{"k_band_1", 0.5}, std::pair{"k_band_2", 1.0}}) {
+      const auto places = along(made->faces[0], name);
+      ASSERT_GT(places.size(), 100U) << points << name;
+      for (std::size_t i = 0; i < places.size(); i += 10) {
+        double least = 100.0;
+        for (const Point3 p : along_crack) least = std::min(least, geom::distance(p, places[i]));
+        ASSERT_NEAR(least, distance, 0.01 * distance) << points << name;
+      }
+    }
+    const auto mesh = meshed(*made, 0.6);
+    EXPECT_GE(mesh.quality.alpha_min, 0.3) << points;
+    EXPECT_EQ(mesh.mesh.constraint_sets.count("k_band_2"), 1U);
+    EXPECT_EQ(mesh.mesh.constraint_sets.count("k_rosette"), 1U);
+  }
 }
 
 TEST(CrackLines, BandsOnASphereHaveTheirDistanceInSpace) {

@@ -54,7 +54,20 @@ TEST(Examples, REC_c_CosineMeetsItsExpectations) { expect_met(bundled("cosine.to
 
 TEST(Examples, ChainMeetsItsExpectations) { expect_met(bundled("chain.toml")); }
 
+TEST(Examples, ABlockCutToANewSectionMeetsItsExpectations) { expect_met(bundled("fault_block.toml")); }
+
 TEST(Examples, ListricFaultsMeetTheirExpectations) { expect_met(bundled("listric.toml")); }
+
+TEST(Examples, SectionsInSpaceGiveAFifthOneThatIsRestored) {
+  const scenario::Run run = expect_met(bundled("space.toml"));
+  ASSERT_TRUE(run.complete());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
+  EXPECT_EQ(model.section.horizons.size(), 3u);
+  EXPECT_TRUE(model.restoration);
+  const auto space = program().space_of(run.states.back());
+  ASSERT_TRUE(space);
+  EXPECT_EQ(space->layers.size(), 9u);  // four curtains, three surfaces, the new section before and after
+}
 
 TEST(Examples, BlocksMovedBackAreJoinedAndUnfoldedInOneScenario) {
   scenario::Document document = bundled("listric.toml");

@@ -25,6 +25,7 @@ struct Bend {
   std::string file;
   std::string feature;
   std::vector<test::Bump> bumps;
+  double size = 1.0;
   template <class D>
   static void describe(D& d) {
     d.choice("method", &Bend::method, {"constant", "shear", "flexural"}, {.title = "Method"});
@@ -32,6 +33,7 @@ struct Bend {
     d.field("file", &Bend::file, {.title = "File"});
     d.field("feature", &Bend::feature, {.title = "Feature", .when = "file is set"});
     d.tables("bump", &Bend::bumps, {.title = "Bumps", .when = "method in shear, flexural"});
+    d.field("size", &Bend::size, {.title = "Size", .unit = "Pa, N if method = shear, deg if method = flexural"});
   }
 };
 
@@ -71,6 +73,16 @@ TEST_F(FormConditionsTest, AValueWithoutEffectStaysInSightWithTheReasonAndAButto
   EXPECT_EQ(tables[0].find("angle"), nullptr);
   EXPECT_FALSE(editor("angle")->isVisible());
   EXPECT_FALSE(says("Direction of shear")) << words();
+}
+
+TEST_F(FormConditionsTest, AUnitThatGoesByAChoiceIsTheOneThatHolds) {
+  EXPECT_TRUE(says("Pa\n")) << words();
+  EXPECT_FALSE(says(" if ")) << words();
+  ASSERT_TRUE(form.type("method", "shear").ok());
+  EXPECT_TRUE(says("\nN\n")) << words();
+  EXPECT_FALSE(says("Pa")) << words();
+  ASSERT_TRUE(form.type("method", "flexural").ok());
+  EXPECT_TRUE(says("\n\u00b0\n")) << words();
 }
 
 TEST_F(FormConditionsTest, AnEmptyTextIsNoFile) {

@@ -141,6 +141,37 @@ TEST_F(SpaceView, IsDrawnAndNotBlank) {
   }
 }
 
+/// Of a picture that fills the view, whatever the window becomes.
+TEST_F(SpaceView, WhatWasInSightStaysSoInASmallerWindowAndComesBack) {
+  make();
+  const QPointF middle = space().plot().center();
+  drag(space(), Qt::LeftButton, middle, middle + QPointF(30.0, 0.0));  // from here on the view is the user's
+  const auto seen_corners = [&] {
+    const geom::Box3 box = scene::space::extent(space().shown());
+    int seen = 0;
+    for (const double x : {box.low.x, box.high.x}) {
+      for (const double y : {box.low.y, box.high.y}) {
+        for (const double z : {box.low.z, box.high.z})
+          seen += space().plot().contains(*space().pixel_of({x, y, z})) ? 1 : 0;
+      }
+    }
+    return seen;
+  };
+  const auto in_sight = [&] { return space().look().view->world_per_point * space().plot().size(); };
+  const double scale = space().look().view->world_per_point;
+  const QSizeF seen = in_sight();
+  ASSERT_EQ(seen_corners(), 8);
+  window->resize(900, 640);
+  QTest::qWait(100);
+  EXPECT_EQ(seen_corners(), 8);
+  EXPECT_GT(space().look().view->world_per_point, scale);
+  window->resize(1280, 800);
+  QTest::qWait(100);
+  EXPECT_EQ(seen_corners(), 8);
+  // Panels beside it may have another width by now: as much as before in one direction, and no less in the other.
+  EXPECT_NEAR(std::min(in_sight().width() / seen.width(), in_sight().height() / seen.height()), 1.0, 1e-9);
+}
+
 TEST_F(SpaceView, TheLeftButtonTurnsTheMiddleOneMovesTheWheelComesNearer) {
   make();
   const auto before = space().look();

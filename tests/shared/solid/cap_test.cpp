@@ -13,7 +13,7 @@ using namespace shapes;
 using testing::ElementsAre;
 
 Cap cap(const std::vector<Solid>& solids, const CutPlane& plane) { return cap_of(Sections(solids).cut(plane).value()); }
-Contact contact(const Solid& s, const CutPlane& plane) { return contact_with(std::vector{s}, plane).value(); }
+Contact contact(const Solid& s, const CutPlane& plane) { return contact_with(std::vector{s}, plane).value().most; }
 
 double area(const Cap& c) {
   double sum = 0.0;
@@ -39,6 +39,19 @@ TEST(Cap, TellsHowAPlaneThatCutsNothingTouches) {
   EXPECT_EQ(area(cap({cube}, {0, 0, 1, -1})), 1.0);
   EXPECT_TRUE(cap({cube}, {0, 0, 1, 0}).empty());
   EXPECT_FALSE(contact_with(std::vector{cube}, {0, 0, 0, 1}));
+}
+
+TEST(Cap, AFaceInThePlaneIsToldWhereThePlaneCutsTheSolidElsewhere) {
+  // The tread of a step: below the plane the section is 2 wide, above it 1.
+  const std::vector<Solid> stairs{solid(prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 0, 1))};
+  const PlaneContact tread = contact_with(stairs, {0, 1, 0, -1}).value();
+  EXPECT_EQ(tread.most, Contact::Volume);
+  EXPECT_TRUE(tread.in_face);
+  EXPECT_EQ(area(cap(stairs, {0, 1, 0, -1})), 2.0);
+  EXPECT_EQ(area(cap(stairs, {0, -1, 0, 1})), 1.0);
+  const PlaneContact beside = contact_with(stairs, {0, 1, 0, -1.5}).value();
+  EXPECT_EQ(beside.most, Contact::Volume);
+  EXPECT_FALSE(beside.in_face);
 }
 
 TEST(Cap, APlaneBetweenTwoShellsTouchesNothing) {

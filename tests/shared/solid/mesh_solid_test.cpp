@@ -38,7 +38,19 @@ TEST(FromMesh, NamesTheOpenEdgeAndItsFace) {
   EXPECT_EQ(base::exit_code(made.error().code), 3);
   PolygonMesh one_turned = box({0, 0, 0}, {1, 1, 1});
   std::reverse(one_turned.faces[2].begin(), one_turned.faces[2].end());
-  EXPECT_EQ(from_mesh(one_turned).error().code, ErrorCode::NotClosed);
+  const auto turned = from_mesh(one_turned);
+  EXPECT_EQ(turned.error().code, ErrorCode::NotClosed);
+  EXPECT_THAT(turned.error().message, testing::HasSubstr("face 2 is turned against its neighbours"));
+  EXPECT_EQ(turned.error().place->y, 0.0);  // its middle
+}
+
+TEST(FromMesh, NamesAFaceThatIsThereTwice) {
+  PolygonMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.faces.push_back(mesh.faces[3]);
+  const auto made = from_mesh(mesh);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, ErrorCode::SelfIntersection);
+  EXPECT_THAT(made.error().message, testing::HasSubstr("faces 3 and 6 cover each other"));
 }
 
 TEST(FromMesh, RefusesWhatIsInsideOut) {
@@ -76,6 +88,8 @@ TEST(FromMesh, RefusesBadCornersAndNumbers) {
   PolygonMesh mesh = box({0, 0, 0}, {1, 1, 1});
   mesh.faces[3][1] = 99;
   EXPECT_EQ(from_mesh(mesh).error().code, ErrorCode::BadFormat);
+  mesh = box({0, 0, 0}, {1e100, 1, 1});
+  EXPECT_THAT(from_mesh(mesh).error().message, testing::HasSubstr("beyond 1e75"));
   mesh = box({0, 0, 0}, {1, 1, NAN});
   EXPECT_EQ(from_mesh(mesh).error().code, ErrorCode::NotFinite);
   FromMeshOptions options;

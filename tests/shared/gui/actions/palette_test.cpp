@@ -249,7 +249,7 @@ TEST_F(PaletteTest, TheListOfKeysIsThatOfTheActions) {
     auto* keys = QApplication::activeModalWidget()->findChild<QTreeWidget*>("keys");
     for (int i = 0; keys != nullptr && i < keys->topLevelItemCount(); ++i)
       listed << keys->topLevelItem(i)->text(0) + "|" + keys->topLevelItem(i)->text(1);
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
   });
   ASSERT_TRUE(window.actions().trigger("help.keys"));
   EXPECT_TRUE(listed.contains("Redo|Ctrl+Shift+Z, Ctrl+Y")) << listed.join('\n').toStdString();

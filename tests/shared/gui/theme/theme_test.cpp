@@ -189,6 +189,26 @@ TEST_F(ThemeTest, EveryWordOnTheScreenIsReadableAlsoWhatIsWrong) {
   }
 }
 
+TEST_F(ThemeTest, AnErrorHasTheColoursOfTheThemeWhetherItWasInSightBeforeOrNot) {
+  const auto is_as_the_theme = [&] {
+    return QTest::qWaitFor(
+        [&] {
+          const QImage seen = window.error_bar().grab().toImage();
+          const bool is_dark = seen.pixelColor(seen.width() / 2, 3).lightness() < 128;
+          return is_dark == theme::is_dark(QApplication::palette());
+        },
+        2000);
+  };
+  for (const auto& [first, then] : {std::pair("theme.dark", "theme.light"), std::pair("theme.light", "theme.dark")}) {
+    window.error_bar().clear();
+    ASSERT_TRUE(window.actions().trigger(first));
+    window.error_bar().say("the wave crosses itself; move it", mending::ErrorBar::CanShow::Yes);
+    EXPECT_TRUE(is_as_the_theme()) << first;
+    ASSERT_TRUE(window.actions().trigger(then));
+    EXPECT_TRUE(is_as_the_theme()) << then << " behind " << first;
+  }
+}
+
 /// The page was made in the theme before, and was hidden when the theme changed.
 TEST_F(ThemeTest, TheWelcomePageIsReadableInTheThemeChosenWhileItWasHidden) {
   for (const char* theme : {"theme.dark", "theme.light"}) {

@@ -15,8 +15,11 @@ namespace {
 
 using geom::Point;
 using geom::Point3;
+using support::ball;
 using support::Carrier;
 using support::DraftFace;
+using support::flat;
+using support::tube;
 
 constexpr double pi = std::numbers::pi;
 
@@ -35,33 +38,6 @@ std::set<std::string> codes_of(const Imported& made) {
 }
 using Codes = std::set<std::string>;
 
-Carrier flat() {
-  return {"1 0 0 0 0 0 1 1 0 0 0 1 0 \n", [](Point p) { return Point3{p.x, p.y, 0.0}; }};
-}
-Carrier tube(double radius) {
-  return {fmt::format("2 0 0 0 0 0 1 1 0 0 0 1 0 {}\n", radius), [=](Point p) {
-            return Point3{radius * std::cos(p.x), radius * std::sin(p.x), p.y};
-          }};
-}
-Carrier ball(double radius) {
-  return {fmt::format("4 0 0 0 0 0 1 1 0 0 0 1 0 {}\n", radius), [=](Point p) {
-            return Point3{radius * std::cos(p.y) * std::cos(p.x), radius * std::cos(p.y) * std::sin(p.x),
-                          radius * std::sin(p.y)};
-          }};
-}
-
-/// A polygon of straight edges as a wire of its own.
-void add_wire(DraftFace& draft, const std::vector<Point>& corners) {
-  const std::size_t first = draft.vertices.size();
-  for (const Point& p : corners) draft.add_vertex(p);
-  draft.wires.emplace_back();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t next = (i + 1) % corners.size();
-    const std::size_t edge =
-        draft.add_edge({support::line_path(corners[i], corners[next]), std::nullopt, first + i, first + next});
-    draft.wires.back().push_back({edge, '+'});
-  }
-}
 const std::vector<Point> unit{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const std::vector<Point> small_hole{{0.4, 0.4}, {0.4, 0.6}, {0.6, 0.6}, {0.6, 0.4}};
 

@@ -16,10 +16,13 @@ namespace {
 
 using geom::Point;
 using geom::Point3;
+using support::ball;
 using support::Carrier;
 using support::DraftFace;
+using support::flat;
 using support::line_path;
 using support::Path;
+using support::tube;
 
 constexpr double whole_turn = 2.0 * std::numbers::pi;
 
@@ -28,31 +31,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-Carrier plane_at_zero() {
-  return {"1 0 0 0 0 0 1 1 0 0 0 1 0 \n", [](Point p) { return Point3{p.x, p.y, 0.0}; }};
-}
-Carrier tube_of(double radius) {
-  return {fmt::format("2 0 0 0 0 0 1 1 0 0 0 1 0 {:.17g}\n", radius), [=](Point p) {
-            return Point3{radius * std::cos(p.x), radius * std::sin(p.x), p.y};
-          }};
-}
-Carrier ball_of(double radius) {
-  return {fmt::format("4 0 0 0 0 0 1 1 0 0 0 1 0 {:.17g}\n", radius), [=](Point p) {
-            return Point3{radius * std::cos(p.y) * std::cos(p.x), radius * std::cos(p.y) * std::sin(p.x),
-                          radius * std::sin(p.y)};
-          }};
-}
-
-void add_loop(DraftFace& draft, const std::vector<Point>& corners) {
-  const std::size_t first = draft.vertices.size(), count = corners.size();
-  for (const Point& p : corners) draft.add_vertex(p);
-  draft.wires.emplace_back();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Path path = line_path(corners[i], corners[(i + 1) % count]);
-    const std::size_t edge = draft.add_edge({path, std::nullopt, first + i, first + (i + 1) % count});
-    draft.wires.back().push_back({edge, '+'});
-  }
-}
 void add_ring(DraftFace& draft, const Path& path, bool hole) {
   const std::size_t vertex = draft.add_vertex(path.at(path.from));
   draft.wires.push_back({{draft.add_edge({path, std::nullopt, vertex, vertex}), hole ? '-' : '+'}});
@@ -96,8 +74,8 @@ void expect_mesh(const std::string& text, double size, double area, int euler, s
 }
 
 DraftFace plate() {
-  DraftFace draft{plane_at_zero()};
-  add_loop(draft, {{0, 0}, {3, 0}, {3, 2}, {0, 2}});
+  DraftFace draft{flat()};
+  add_wire(draft, {{0, 0}, {3, 0}, {3, 2}, {0, 2}});
   return draft;
 }
 
@@ -126,7 +104,7 @@ TEST(WrittenFiles, ALineTurnedRoundAnAxisThatItTouchesIsACone) {
 
 TEST(WrittenFiles, AQuarterCircleTurnedRoundItsDiameterHasAPole) {
   // The meridian (cos v, 0, sin v) of a sphere of radius 2, from the equator to the pole.
-  const Carrier dome{"7 0 0 0 0 0 1\n2 0 0 0 0 -1 0 1 0 0 0 0 1 2\n", ball_of(2.0).at};
+  const Carrier dome{"7 0 0 0 0 0 1\n2 0 0 0 0 -1 0 1 0 0 0 0 1 2\n", ball(2.0).at};
   for (const bool flagged : {false, true}) {
     DraftFace draft{dome};
     const double up = 0.25 * whole_turn;
@@ -150,19 +128,19 @@ TEST(WrittenFiles, AnExtrudedSplineHasTheLengthOfItsCurveTimesItsHeight) {
                        return Point3{2.0 * u, 4.0 * u * (1.0 - u), p.y};
                      }};
   DraftFace draft{wall};
-  add_loop(draft, {{0, 0}, {1, 0}, {1, 3}, {0, 3}});
+  add_wire(draft, {{0, 0}, {1, 0}, {1, 3}, {0, 3}});
   expect_mesh(support::brep_text(draft), 0.2, 3.0 * length, 1);
 }
 
 TEST(WrittenFiles, AnOffsetTubeHasItsOwnRadius) {
-  const Carrier outer{"11 0.25\n2 0 0 0 0 0 1 1 0 0 0 1 0 0.75\n", tube_of(1.0).at};
+  const Carrier outer{"11 0.25\n2 0 0 0 0 0 1 1 0 0 0 1 0 0.75\n", tube(1.0).at};
   DraftFace draft{outer};
   add_turn(draft, 0.0, 2.0, false);
   expect_mesh(support::brep_text(draft), 0.2, 2.0 * whole_turn, 0);
 }
 
 TEST(WrittenFiles, HolesThatTouchTheSeamAreCutOrNamed) {
-  DraftFace draft{tube_of(1.0)};
+  DraftFace draft{tube(1.0)};
   add_turn(draft, 0.0, 4.0, false);
   add_ring(draft, support::arc_path({0.5, 1.0}, 0.5, 0.4, 0.0, whole_turn), true);               // at u = 0
   add_ring(draft, support::arc_path({whole_turn - 0.5, 3.0}, 0.5, 0.4, 0.0, whole_turn), true);  // at the other side
@@ -210,7 +188,7 @@ TEST(WrittenFiles, APeriodicSplineIsAHole) {
 }
 
 TEST(WrittenFiles, ASphereWithASmallHoleIsAllTheRest) {
-  DraftFace draft{ball_of(1.0)};
+  DraftFace draft{ball(1.0)};
   add_ring(draft, support::arc_path({1.0, 0.3}, 0.1, 0.1, 0.0, whole_turn), true);
   // The hole in the chart: the integral of cos v over a disc.
   double hole = 0.0;
@@ -224,14 +202,14 @@ TEST(WrittenFiles, ASphereWithASmallHoleIsAllTheRest) {
 
 TEST(WrittenFiles, ATrimmedSurfaceManyTurnsAwayIsWhereItIs) {
   const double by = 6.0 * whole_turn;
-  const Carrier trimmed{fmt::format("10 {:.17g} {:.17g} -5 5\n", by, by + 3.0) + tube_of(2.0).text, tube_of(2.0).at};
+  const Carrier trimmed{fmt::format("10 {:.17g} {:.17g} -5 5\n", by, by + 3.0) + tube(2.0).text, tube(2.0).at};
   DraftFace draft{trimmed};
-  add_loop(draft, {{by + 0.2, 0}, {by + 1.7, 0}, {by + 1.7, 1}, {by + 0.2, 1}});
+  add_wire(draft, {{by + 0.2, 0}, {by + 1.7, 0}, {by + 1.7, 1}, {by + 0.2, 1}});
   expect_mesh(support::brep_text(draft), 0.2, 3.0, 1);
 }
 
 TEST(WrittenFiles, APoleNeedsNoDegenerateEdge) {
-  DraftFace draft{ball_of(1.0)};
+  DraftFace draft{ball(1.0)};
   const Point a{0.0, 0.5}, b{whole_turn, 0.5}, c{whole_turn, 0.25 * whole_turn}, d{0.0, 0.25 * whole_turn};
   const std::size_t low = draft.add_vertex(a), high = draft.add_vertex(d);
   const std::size_t bottom = draft.add_edge({line_path(a, b), std::nullopt, low, low});
@@ -284,8 +262,8 @@ TEST(WrittenFiles, TwoFacesOfOneFileAreBothMeshed) {
 }
 
 TEST(WrittenFiles, ACurvedFaceWithoutCurvesInItsChartIsMeshed) {
-  DraftFace draft{tube_of(1.5)};
-  add_loop(draft, {{0.2, 0}, {2.2, 0}, {2.2, 1}, {0.2, 1}});
+  DraftFace draft{tube(1.5)};
+  add_wire(draft, {{0.2, 0}, {2.2, 0}, {2.2, 1}, {0.2, 1}});
   for (DraftFace::Edge& edge : draft.edges) edge.chart = false;
   expect_mesh(support::brep_text(draft), 0.2, 3.0, 1);
 }

@@ -185,9 +185,19 @@ TEST(Remesh, MeshesThatAreNoSheetAreRefusedWithTheirPlace) {
     EXPECT_EQ(remesh(plane, {.size = bad}).error().code, base::ErrorCode::InvalidOption);
     EXPECT_EQ(remesh(plane, {.size = 0.5, .chord = bad}).error().code, base::ErrorCode::InvalidOption);
   }
+}
+
+TEST(Remesh, ATetrahedronKeepsItsFacesAndIsRefusedWhereOneSideGoesRoundIt) {
   const PolygonMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  EXPECT_FALSE(remesh(tetrahedron, {.size = 0.5}).ok());
+  const auto made = remesh(tetrahedron, {.size = 0.2});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_EQ(made->quality.euler, 2);
+  EXPECT_EQ(made->quality.boundary_edges, 0U);
+  EXPECT_EQ(made->flipped, 0U);
+  EXPECT_NEAR(made->quality.area, 1.5 + std::sqrt(3.0) / 2.0, 1e-12);
+  EXPECT_LT(made->deviation, 1e-12);
+  EXPECT_FALSE(remesh(tetrahedron, {.size = 1.0}).ok());
 }
 
 TEST(Remesh, OneTriangleAndASizeBeyondTheMeshAreMeshed) {

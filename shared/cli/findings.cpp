@@ -1,10 +1,12 @@
-#include "quebra/cli/surface_report.h"
+#include "shared/cli/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 #include "shared/scenario/units.h"
 
-namespace quebra::cli {
-
-using namespace dobra;
+namespace dobra::cli {
 
 namespace {
 
@@ -100,10 +102,9 @@ nlohmann::ordered_json place_json(const base::Place& place, const scenario::Unit
 
 }  // namespace
 
-nlohmann::ordered_json findings_json(const std::vector<surf::mesh::Finding>& findings,
-                                     const scenario::UnitSystem& units) {
+nlohmann::ordered_json findings_json(const std::vector<base::Finding>& findings, const scenario::UnitSystem& units) {
   auto json = nlohmann::ordered_json::array();
-  for (const surf::mesh::Finding& finding : findings) {
+  for (const base::Finding& finding : findings) {
     json.push_back({{"code", finding.code},
                     {"message", scenario::message_in_units(finding.message, units)},
                     {"place", place_json(finding.place, units)}});
@@ -111,8 +112,34 @@ nlohmann::ordered_json findings_json(const std::vector<surf::mesh::Finding>& fin
   return json;
 }
 
-surf::mesh::Finding finding_of(const base::Error& error) {
+base::Finding finding_of(const base::Error& error) {
   return {name_of(error.code), error.message, error.place.value_or(base::Place{})};
 }
 
-}  // namespace quebra::cli
+base::Result<void> print_json(const nlohmann::ordered_json& json) {
+  return print(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+}
+
+base::Result<void> tell_refusal(Session& session, const base::Error& error) {
+  if (session.options.format != OutputFormat::Json || error.code == base::ErrorCode::Cancelled) return {};
+  nlohmann::ordered_json json;
+  json["findings"] = findings_json({finding_of(error)}, {});
+  return print_json(json);
+}
+
+base::Result<void> tell(Session& session, const nlohmann::ordered_json& json,
+                        const std::vector<base::Finding>& findings) {
+  if (session.options.format == OutputFormat::Json) return print_json(json);
+  for (const auto& finding : findings) session.note(finding.message);
+  if (session.options.verbosity == Verbosity::Quiet) return {};
+  const auto is_line = [](const auto& value) { return value.is_number() || value.is_string(); };
+  std::size_t width = 0;
+  for (const auto& [name, value] : json.items()) width = is_line(value) ? std::max(width, name.size()) : width;
+  std::string text;
+  for (const auto& [name, value] : json.items()) {
+    if (is_line(value)) text += fmt::format("{:<{}} {}\n", name, width + 1, value.dump());
+  }
+  return print(text);
+}
+
+}  // namespace dobra::cli

@@ -1,15 +1,15 @@
-#include "quebra/cli/placement.h"
+#include "shared/cli/placement.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "shared/base/text.h"
 
-namespace quebra::cli {
+namespace dobra::cli {
 
-using namespace dobra;
 using base::Error;
 using base::ErrorCode;
 using base::Result;
@@ -48,4 +48,26 @@ Result<Placed> place(const mesh::PolygonMesh& mesh, const Matrix& matrix) {
   return out;
 }
 
-}  // namespace quebra::cli
+Result<solid::CutPlane> parse_plane(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const auto value = base::parse_number(word);
+    if (!value || !std::isfinite(*value))
+      return Error{ErrorCode::BadValue, fmt::format("--cut: '{}' is not a finite number", word)};
+    numbers.push_back(*value);
+    begin = end + 1;
+  }
+  if (numbers.size() != 4) {
+    return Error{
+        ErrorCode::BadValue,
+        fmt::format("--cut has {} numbers: give a,b,c,d of the plane a x + b y + c z + d = 0", numbers.size())};
+  }
+  const solid::CutPlane plane{numbers[0], numbers[1], numbers[2], numbers[3]};
+  if (const auto frame = solid::frame_of(plane); !frame)
+    return Error{ErrorCode::BadValue, "--cut: " + frame.error().message};
+  return plane;
+}
+
+}  // namespace dobra::cli

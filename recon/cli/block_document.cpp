@@ -1,0 +1,118 @@
+#include "recon/cli/block_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "recon/block/cut_input.h"
+#include "recon/input/section_input.h"
+#include "recon/model/model.h"
+#include "shared/scenario/runner.h"
+
+namespace recon::cli {
+
+namespace scenario = dobra::scenario;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+namespace {
+
+/// Colours that single lines have, by table and name of the whole.
+void copy_line_colours(const scenario::Table& from, scenario::Table& to) {
+  for (const auto& entry : to.entries()) {
+    const auto* const tables = std::get_if<std::vector<scenario::Table>>(&entry.value);
+    const scenario::Value* const source = from.find(entry.key);
+    const auto* const sources = source != nullptr ? std::get_if<std::vector<scenario::Table>>(source) : nullptr;
+    if (tables == nullptr || sources == nullptr) continue;
+    std::vector<scenario::Table> rows = *tables;
+    for (scenario::Table& row : rows) {
+      for (const scenario::Table& old : *sources) {
+        const scenario::Value* const color = old.find("colour");
+        const scenario::Value* const name = old.find("name");
+        if (color == nullptr || name == nullptr) continue;
+        const scenario::Value* const whole = row.find("piece_of");
+        if (*name == *row.find("name") || (whole != nullptr && *name == *whole)) row.set("colour", *color);
+      }
+    }
+    to.set(entry.key, std::move(rows));
+  }
+}
+
+}  // namespace
+
+Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document document) {
+  if (document.input.find("section") != nullptr) {
+    return Error{
+        ErrorCode::BadSection,
+        "the document holds several sections in space; a block is made of one: cut it from the surfaces through "
+        "them ('recon cut'), or open the file of one",
+        base::Place{.file = document.file.string(), .item = "input"}};
+  }
+  document.input.erase("cut");
+  document.steps.clear();
+  document.expects.clear();
+  DOBRA_TRY_VOID(scenario::check(document, session.program));
+  scenario::Runner runner(session.program);
+  const scenario::Run run = runner.run(document, session.progress());  // its remarks are findings of the block
+  if (run.error) return *run.error;
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
+  if (!(model.along_strike > 0.0)) {
+    return Error{ErrorCode::MissingKey,
+                 "how far does the section go on? Give --along-strike a length, or along_strike in its [input]",
+                 base::Place{.file = document.file.string(), .item = "input"}};
+  }
+  DOBRA_TRY(block::Block block, block::extrude(model.section, {model.along_strike, model.trace}));
+  std::vector<base::Finding> remarks;
+  for (const std::string& remark : model.remarks)
+    remarks.push_back({"section_remark", remark, base::Place{.file = document.file.string()}});
+  block.findings.insert(block.findings.begin(), remarks.begin(), remarks.end());
+  return block;
+}
+
+Result<std::vector<double>> trace_of_cut(dobra::cli::Session& session, const scenario::Document& document) {
+  const scenario::Value* const given = document.input.find("cut");
+  if (given == nullptr) return Error{ErrorCode::BadUsage, "give --trace x0,y0,x1,y1: where the cut runs on the map"};
+  (void)session;
+  std::vector<double> numbers = scenario::from_table<input::SectionInput>(document.input).cut;
+  if (numbers.size() != 4) {
+    return Error{
+        ErrorCode::BadUsage,
+        fmt::format("--trace has {} numbers: give x and y of its beginning and its end on the map", numbers.size())};
+  }
+  for (double& number : numbers) number = document.units.to_si(number, "m");
+  return numbers;
+}
+
+scenario::Document document_of_cut(const block::BlockCut& cut, const scenario::Table& original,
+                                   const std::vector<double>& trace) {
+  scenario::Document document;
+  document.program = "recon";
+  document.title = fmt::format("Section from ({}, {}) to ({}, {})", trace[0], trace[1], trace[2], trace[3]);
+  document.input = block::input_table(cut.section);
+  document.input.set("trace", trace);
+  copy_line_colours(original, document.input);
+  return document;
+}
+
+void take_colours(const scenario::Table& original, const std::filesystem::path& folder, const std::filesystem::path& to,
+                  scenario::Document& document) {
+  const scenario::Value* const value = original.find("colours");
+  const auto* const file = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+  if (file == nullptr) return;
+  std::error_code ignored;
+  const auto from = std::filesystem::absolute(folder / *file, ignored);
+  const auto seen = std::filesystem::proximate(from, std::filesystem::absolute(to, ignored), ignored);
+  document.input.set("colours", ignored ? from.string() : seen.string());
+}
+
+std::optional<base::Finding> flaw_of(dobra::cli::Session& session, const scenario::Document& document,
+                                     const std::filesystem::path& file) {
+  scenario::Document named = document;
+  named.file = file;
+  const scenario::Run run = scenario::Runner(session.program).run(named);
+  if (!run.error) return std::nullopt;
+  return block::flaw_finding(*run.error);
+}
+
+}  // namespace recon::cli

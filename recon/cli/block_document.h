@@ -1,0 +1,33 @@
+#pragma once
+// Blocks out of documents, and documents out of their cuts.
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "recon/block/cut.h"
+#include "shared/cli/session.h"
+#include "shared/scenario/document.h"
+
+namespace recon::cli {
+
+/// The block of the section that a document's input describes; `cut` of the input is passed over.
+/// @error those of reading and of extrude(); MissingKey: no length along strike.
+base::Result<block::Block> block_of(dobra::cli::Session& session, dobra::scenario::Document document);
+
+/// The four numbers of `cut`, in metres. @error BadUsage: none, or not four
+base::Result<std::vector<double>> trace_of_cut(dobra::cli::Session& session, const dobra::scenario::Document& document);
+
+/// The section as a scenario without steps.
+/// @param original  the input that the block was made of; lines keep its colours.
+dobra::scenario::Document document_of_cut(const block::BlockCut& cut, const dobra::scenario::Table& original,
+                                          const std::vector<double>& trace);
+/// The table of colours of the original, as it is seen from another folder.
+void take_colours(const dobra::scenario::Table& original, const std::filesystem::path& folder,
+                  const std::filesystem::path& to, dobra::scenario::Document& document);
+
+/// What RECON has against it as it stands.
+std::optional<base::Finding> flaw_of(dobra::cli::Session& session, const dobra::scenario::Document& document,
+                                     const std::filesystem::path& file);
+
+}  // namespace recon::cli

@@ -1,0 +1,141 @@
+#include "recon/space/placed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shared/scenario/document.h"
+
+namespace recon::space {
+
+namespace loft = dobra::surf::loft;
+namespace scenario = dobra::scenario;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+namespace {
+
+struct ReadOne {
+  input::ReadSection read;
+  std::vector<double> trace;
+};
+
+Result<ReadOne> read_scenario(const std::filesystem::path& file, const base::Progress& progress) {
+  DOBRA_TRY(const scenario::Document document, scenario::read_document(file));
+  if (document.program != "recon")
+    return Error{ErrorCode::WrongProgram, fmt::format("a scenario of {}, not of recon", document.program)};
+  DOBRA_TRY_VOID(scenario::check(document.input, scenario::fields_of<input::SectionInput>(), "input"));
+  const auto given = scenario::from_table<input::SectionInput>(document.input);
+  if (!given.placed_sections.empty())
+    return Error{ErrorCode::BadSection, "holds [[input.section]] itself; name the files of its sections instead"};
+  scenario::Context context;
+  context.folder = document.folder();
+  DOBRA_TRY(input::ReadSection read, read_section(given, context, progress));
+  return ReadOne{std::move(read), given.trace};
+}
+
+Result<ReadOne> read_lines(const input::PlacedSectionInput& placed, input::SectionInput around,
+                           const scenario::Context& context, const base::Progress& progress) {
+  around.placed_sections.clear();
+  input::LinesInput lines;
+  lines.file = placed.file;
+  around.lines = {std::move(lines)};
+  // Lines that have map coordinates are laid into the plane of the trace.
+  if (around.trace.empty() && placed.trace.size() == 4) around.trace = placed.trace;
+  DOBRA_TRY(input::ReadSection read, read_section(around, context, progress));
+  return ReadOne{std::move(read), {}};
+}
+
+Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const input::SectionInput& around,
+                               const scenario::Context& context, const base::Progress& progress,
+                               std::vector<std::string>& remarks) {
+  if (!placed.trace.empty()) DOBRA_TRY_VOID(plan_trace(placed.trace, "trace"));
+  const std::filesystem::path path = context.folder / placed.file;
+  const bool is_scenario = path.extension() == ".toml";
+  DOBRA_TRY(ReadOne one, is_scenario ? read_scenario(path, progress) : read_lines(placed, around, context, progress));
+  const std::vector<double>& trace = placed.trace.empty() ? one.trace : placed.trace;
+  if (trace.empty())
+    return Error{ErrorCode::MissingKey,
+                 "where the section stands is not said; give its trace on the map, trace = [x0, y0, x1, y1]"};
+  DOBRA_TRY(loft::PlanTrace plan, plan_trace(trace, "trace"));
+  std::string name = placed.name.empty() ? path.stem().string() : placed.name;
+  for (const std::string& remark : one.read.remarks) remarks.push_back(fmt::format("section '{}': {}", name, remark));
+  return PlacedSection{std::move(name), std::move(one.read.section), std::move(plan)};
+}
+
+/// What is wrong in a section is told with the section, whatever item of it is meant.
+Error of_section(Error error, const std::string& item) {
+  if (error.place && !error.place->item.empty()) error.message = fmt::format("{}: {}", item, error.message);
+  return base::located(std::move(error), {.item = item});
+}
+
+/// What lies beside the trace is placed on its end pieces, gone on.
+void tell_beyond(const PlacedSection& placed, std::vector<std::string>& remarks) {
+  const geom::Box box = box_of(placed.section);
+  const double length = placed.trace.length(), same = 1e-9 * length;
+  const double beyond = std::max(-box.low.x, box.high.x - length);
+  if (beyond > same)
+    remarks.push_back(
+        fmt::format("section '{}' reaches {:.6g} m beyond the ends of its trace, which is {:.6g} m long; "
+                    "there the trace goes straight on",
+                    placed.name, beyond, length));
+}
+
+}  // namespace
+
+Result<loft::PlanTrace> plan_trace(const std::vector<double>& numbers, const std::string& key) {
+  if (numbers.size() < 4 || numbers.size() % 2 != 0)
+    return Error{ErrorCode::BadValue,
+                 fmt::format("{}: {} numbers; give places on the map, x0, y0, x1, y1, ...", key, numbers.size())};
+  std::vector<geom::Point> corners;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) corners.push_back({numbers[i], numbers[i + 1]});
+  auto trace = loft::PlanTrace::make(std::move(corners));
+  if (!trace) {
+    Error error = trace.error();
+    error.code = ErrorCode::BadValue;
+    error.message = fmt::format("{}: {}", key, error.message);
+    return error;
+  }
+  return trace;
+}
+
+Result<PlacedSections> read_placed(const input::SectionInput& input, const scenario::Context& context,
+                                   const base::Progress& progress) {
+  if (!input.horizons.empty() || !input.faults.empty() || !input.units.empty() || !input.lines.empty())
+    return Error{ErrorCode::BadSection,
+                 "the input has lines of a section and [[input.section]]; put the lines into a file of their own, and "
+                 "name it in an [[input.section]]",
+                 base::Place{.item = "input"}};
+  if (input.placed_sections.size() < 2)
+    return Error{ErrorCode::BadSection, "one [[input.section]] alone; surfaces take two sections at least",
+                 base::Place{.item = "input"}};
+  PlacedSections made;
+  for (const input::PlacedSectionInput& placed : input.placed_sections) {
+    DOBRA_TRY_VOID(progress.check());
+    const std::string item = fmt::format("section '{}'", placed.name.empty() ? placed.file : placed.name);
+    auto one = read_one(placed, input, context, progress, made.remarks);
+    if (!one) return of_section(one.error(), item);
+    const bool twice = std::any_of(made.sections.begin(), made.sections.end(),
+                                   [&](const PlacedSection& other) { return other.name == one->name; });
+    if (twice)
+      return Error{ErrorCode::BadSection, "another section has this name already; give it a name of its own (name)",
+                   base::Place{.item = fmt::format("section '{}'", one->name)}};
+    tell_beyond(*one, made.remarks);
+    made.sections.push_back(std::move(*one));
+  }
+  return made;
+}
+
+loft::Section lines_of(const PlacedSection& placed) {
+  loft::Section made{placed.name, placed.trace, {}};
+  for (const section::Horizon& horizon : placed.section.horizons)
+    made.lines.push_back({whole_name(horizon), loft::LineKind::Horizon, horizon.line});
+  for (const section::SectionLine& line : placed.section.lines) {
+    if (line.kind == section::LineKind::Fault)
+      made.lines.push_back({whole_name(line), loft::LineKind::Fault, line.line});
+  }
+  return made;
+}
+
+}  // namespace recon::space

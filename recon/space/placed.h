@@ -1,0 +1,38 @@
+#pragma once
+// The sections of a document that stand in space: [[input.section]] with a file and a trace. Page: docs/user/space.md.
+
+#include <string>
+#include <vector>
+
+#include "recon/input/input.h"
+#include "shared/surf/loft/sections.h"
+
+namespace recon::space {
+
+/// One of them, read as a section of its own.
+struct PlacedSection {
+  std::string name;
+  section::Section section;
+  dobra::surf::loft::PlanTrace trace;
+};
+
+struct PlacedSections {
+  std::vector<PlacedSection> sections;
+  std::vector<std::string> remarks;
+};
+
+/// Files are scenarios of RECON, whose [input] is read, or lines in any format, read as the [input] says (unit, y_axis,
+/// ...). The trace is that of the table, else that of the scenario's own [input].
+/// @error BadSection: fewer than two, lines of a single section beside them, a file with [[input.section]] itself, a
+/// name
+///        twice; MissingKey: no trace; BadValue: a trace that is none; those of read_section; each with the section.
+base::Result<PlacedSections> read_placed(const input::SectionInput& input, const dobra::scenario::Context& context,
+                                         const base::Progress& progress);
+
+/// A list x0, y0, x1, y1, ... as a trace. @error BadValue beginning with `key`
+base::Result<dobra::surf::loft::PlanTrace> plan_trace(const std::vector<double>& numbers, const std::string& key);
+
+/// Its horizons and faults, pieces by the name of their whole.
+dobra::surf::loft::Section lines_of(const PlacedSection& placed);
+
+}  // namespace recon::space

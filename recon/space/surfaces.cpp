@@ -1,0 +1,71 @@
+#include "recon/space/surfaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace recon::space {
+
+namespace loft = dobra::surf::loft;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+namespace {
+
+SurfaceRow row_of(const loft::NamedSurface& surface, const loft::Surfaces& all) {
+  SurfaceRow row{surface.name, surface.kind, loft::measures(surface), surface.patches.size(), 0, {}};
+  for (const loft::Patch& patch : surface.patches) row.triangles += patch.triangles.size();
+  for (const loft::Mistie& mistie : all.misties) {
+    if (mistie.line == surface.name) row.misties.push_back(mistie);
+  }
+  return row;
+}
+
+std::vector<VolumeRow> volumes_of(const MadeSurfaces& made) {
+  std::vector<std::size_t> horizons;
+  for (std::size_t i = 0; i < made.rows.size(); ++i) {
+    if (made.rows[i].kind == loft::LineKind::Horizon) horizons.push_back(i);
+  }
+  std::stable_sort(horizons.begin(), horizons.end(), [&](std::size_t a, std::size_t b) {
+    return made.rows[a].measures.mean_z > made.rows[b].measures.mean_z;
+  });
+  std::vector<VolumeRow> volumes;
+  for (std::size_t k = 1; k < horizons.size(); ++k) {
+    const auto &upper = made.made.surfaces[horizons[k - 1]], &lower = made.made.surfaces[horizons[k]];
+    volumes.push_back({upper.name, lower.name, loft::volume_between(upper, lower)});
+  }
+  return volumes;
+}
+
+}  // namespace
+
+Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfaceParams& params) {
+  std::vector<loft::Section> sections;
+  for (const PlacedSection& one : placed.sections) sections.push_back(lines_of(one));
+  loft::ThroughOptions options;
+  options.ties.most = params.mistie_tolerance;
+  options.rows = static_cast<std::size_t>(params.rows);
+  options.at_fault = params.at_fault;
+  MadeSurfaces made;
+  DOBRA_TRY(made.made, loft::surfaces_through(std::move(sections), options));
+  if (made.made.surfaces.empty()) {
+    const auto& findings = made.made.findings;
+    return Error{ErrorCode::BadSection,
+                 findings.empty()
+                     ? std::string("the sections have no line in common; call what belongs together by one "
+                                   "name")
+                     : fmt::format("no surface goes through the sections: {}", findings.front().message),
+                 findings.empty() ? base::Place{} : findings.front().place};
+  }
+  for (const loft::NamedSurface& surface : made.made.surfaces) {
+    made.rows.push_back(row_of(surface, made.made));
+    if (!params.contours) continue;
+    DOBRA_TRY(std::vector<loft::Contour> lines, loft::contours(surface, *params.contours));
+    made.contours.push_back(std::move(lines));
+  }
+  made.volumes = volumes_of(made);
+  return made;
+}
+
+}  // namespace recon::space

@@ -1,0 +1,351 @@
+#include "shared/solid/shape/loft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <unordered_map>
+
+#include "shared/solid/shape/contours.h"
+#include "shared/solid/shape/section_map.h"
+
+namespace dobra::solid::shape {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using geom::Point;
+using geom::Point3;
+using geom::Vector3;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Points along a line, and how far along each is, from 0 to 1.
+struct Chain {
+  std::vector<std::uint32_t> points;
+  std::vector<double> at;
+};
+
+/// Triangles between two chains, anticlockwise seen from the right of the first one if the second lies beyond the plane
+/// in which right is right. Each step goes on along the chain whose next point comes earlier; where both come together
+/// the shorter diagonal is taken.
+std::vector<Triangle> band(const std::vector<Point3>& points, const Chain& a, const Chain& b) {
+  std::vector<Triangle> triangles;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i + 1 < a.points.size() || j + 1 < b.points.size()) {
+    bool along_a = j + 1 == b.points.size();
+    if (!along_a && i + 1 < a.points.size()) {
+      along_a = a.at[i + 1] < b.at[j + 1];
+      if (a.at[i + 1] == b.at[j + 1]) {
+        along_a = distance(points[a.points[i + 1]], points[b.points[j]]) <=
+                  distance(points[a.points[i]], points[b.points[j + 1]]);
+      }
+    }
+    if (along_a) {
+      triangles.push_back({a.points[i], a.points[i + 1], b.points[j]});
+      ++i;
+    } else {
+      triangles.push_back({a.points[i], b.points[j + 1], b.points[j]});
+      ++j;
+    }
+  }
+  return triangles;
+}
+
+/// The fractions of a line's length; of an island the last is its first point once more.
+std::vector<double> fractions(const geom::Polyline& line) {
+  std::vector<double> at = geom::arc_lengths(line);
+  const double whole = at.back();
+  for (double& s : at) s /= whole;
+  at.back() = 1.0;
+  return at;
+}
+
+/// The island begins at the corner that stands nearest to the first corner of the other, centre on centre.
+geom::Polyline turned_towards(const geom::Polyline& other, geom::Polyline island) {
+  const auto centre = [](const geom::Polyline& line) {
+    Point sum{0, 0};
+    for (const Point p : line.points) sum = {sum.x + p.x, sum.y + p.y};
+    const auto n = static_cast<double>(line.points.size());
+    return Point{sum.x / n, sum.y / n};
+  };
+  const Point here = centre(other);
+  const Point there = centre(island);
+  const auto off = [&](Point p) {
+    return std::hypot(p.x - there.x - other.points[0].x + here.x, p.y - there.y - other.points[0].y + here.y);
+  };
+  const auto first =
+      std::min_element(island.points.begin(), island.points.end(), [&](Point p, Point q) { return off(p) < off(q); });
+  std::rotate(island.points.begin(), first, island.points.end());
+  return island;
+}
+
+Vector3 normal_of(const SectionFrame& frame) { return cross(frame.along, frame.up); }
+
+/// Whether the next section lies on the side from which the first is looked at; none where they cross.
+Result<bool> ahead(const LoftSection& here, const LoftSection& there, std::size_t number) {
+  const Vector3 n = normal_of(here.frame);
+  if (!(dot(n, normal_of(there.frame)) > 0.0)) {
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("section {} is looked at from the other side than section {}, or square to it: turn it "
+                             "round",
+                             number + 1, number),
+                 base::Place{.x = there.frame.origin.x, .y = there.frame.origin.y, .z = there.frame.origin.z}};
+  }
+  std::optional<bool> side;
+  const auto look = [&](const LoftSection& from, const LoftSection& at, bool back) -> Result<void> {
+    for (const LoftLine& line : at.lines) {
+      for (const Point p : line.line.points) {
+        const double off = dot(at.frame.in_space(p) - from.frame.origin, normal_of(from.frame));
+        const bool up = (off > 0.0) != back;
+        if (off != 0.0 && (!side || *side == up)) {
+          side = up;
+          continue;
+        }
+        const std::size_t which = back ? number - 1 : number;
+        return section_error(which, at.frame, p,
+                             fmt::format("it crosses or touches section {} here: sections that are joined stand apart",
+                                         (back ? number : number - 1) + 1));
+      }
+    }
+    return {};
+  };
+  DOBRA_TRY_VOID(look(here, there, false));
+  DOBRA_TRY_VOID(look(there, here, true));
+  return side.value_or(true);
+}
+
+class SectionsLofter {
+ public:
+  SectionsLofter(std::span<const LoftSection> sections, const LoftOptions& options)
+      : sections_(sections), options_(options) {}
+
+  Result<std::vector<LoftPart>> run() {
+    if (sections_.size() < 2) return Error{ErrorCode::InvalidOption, "a loft needs two sections or more"};
+    for (std::size_t k = 0; k < sections_.size(); ++k) {
+      DOBRA_TRY(auto map, section_map(sections_[k], k));
+      maps_.push_back(std::move(map));
+    }
+    std::vector<Dart> identity(maps_[0].next.size());
+    for (Dart d = 0; d < identity.size(); ++d) identity[d] = d;
+    darts_.push_back(std::move(identity));
+    for (std::size_t k = 1; k < sections_.size(); ++k) {
+      DOBRA_TRY(const bool up, ahead(sections_[k - 1], sections_[k], k));
+      if (k > 1 && up != up_) {
+        return section_error(k, sections_[k].frame, maps_[k].origin(0),
+                             fmt::format("it lies on the side of section {} on which section {} lies: give sections in "
+                                         "the order in which they stand",
+                                         k, k - 1));
+      }
+      up_ = up;
+      DOBRA_TRY(const auto onto, laid_onto(maps_[k - 1], maps_[k], k));
+      std::vector<Dart> darts;
+      for (const Dart d : darts_.back()) darts.push_back(onto[d]);
+      darts_.push_back(std::move(darts));
+    }
+    place_lines();
+    std::vector<LoftPart> parts;
+    for (std::uint32_t r = 0; r < maps_[0].regions.size(); ++r) parts.push_back(part(r));
+    return parts;
+  }
+
+ private:
+  struct PointOrder {
+    bool operator()(Point a, Point b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+  };
+
+  /// The chains of all lines in all sections, and the bands between them.
+  void place_lines() {
+    for (std::size_t k = 0; k < maps_.size(); ++k) {
+      std::map<Point, std::uint32_t, PointOrder> numbers;
+      auto& chains = chains_.emplace_back();
+      for (Dart d = 0; d < darts_[0].size(); d += 2) {
+        const Dart here = darts_[k][d];
+        geom::Polyline line = maps_[k].lines[here / 2].line;
+        if ((here & 1U) != 0) line = geom::reversed(std::move(line));
+        if (line.closed && k > 0) line = turned_towards(flat_[d / 2], std::move(line));
+        Chain& chain = chains.emplace_back();
+        chain.at = fractions(line);
+        for (const Point p : line.points) {
+          const auto [at, fresh] = numbers.try_emplace(p, static_cast<std::uint32_t>(points_.size()));
+          if (fresh) points_.push_back(maps_[k].frame.in_space(p));
+          chain.points.push_back(at->second);
+        }
+        if (line.closed) chain.points.push_back(chain.points.front());
+        if (k == 0)
+          flat_.push_back(std::move(line));
+        else
+          flat_[d / 2] = std::move(line);
+      }
+    }
+    for (std::size_t i = 0; i < chains_[0].size(); ++i) {
+      auto& triangles = bands_.emplace_back();
+      for (std::size_t k = 1; k < chains_.size(); ++k) {
+        const auto next = band(points_, chains_[k - 1][i], chains_[k][i]);
+        triangles.insert(triangles.end(), next.begin(), next.end());
+      }
+    }
+  }
+
+  /// The loops of the region in a section, seen from where it is looked at.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> end_of(std::uint32_t region, std::size_t k) const {
+    std::vector<std::vector<std::uint32_t>> loops;
+    for (const Dart first : maps_[0].regions[region].loops) {
+      auto& loop = loops.emplace_back();
+      for (const Dart d : maps_[0].loop(first)) {
+        std::vector<std::uint32_t> points = chains_[k][d / 2].points;
+        if ((d & 1U) != 0) std::reverse(points.begin(), points.end());
+        loop.insert(loop.end(), points.begin(), points.end() - 1);
+      }
+    }
+    return loops;
+  }
+
+  [[nodiscard]] LoftPart part(std::uint32_t region) const {
+    LoftPart part{maps_[0].regions[region].name, {}};
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+    const auto add = [&](std::vector<std::vector<std::uint32_t>> loops, bool turned, const std::string& name) {
+      for (auto& loop : loops) {
+        if (turned) std::reverse(loop.begin(), loop.end());
+        for (std::uint32_t& p : loop) {
+          const auto [at, fresh] = numbers.try_emplace(p, static_cast<std::uint32_t>(part.shape.mesh.points.size()));
+          if (fresh) part.shape.mesh.points.push_back(points_[p]);
+          p = at->second;
+        }
+      }
+      part.shape.mesh.faces.push_back(std::move(loops));
+      part.shape.names.push_back(name);
+    };
+    add(end_of(region, 0), up_, options_.start);
+    add(end_of(region, chains_.size() - 1), !up_, options_.end);
+    for (const Dart first : maps_[0].regions[region].loops) {
+      for (const Dart d : maps_[0].loop(first)) {
+        if (maps_[0].region_of[twin(d)] == region) continue;  // the region goes on beyond it
+        for (const Triangle& t : bands_[d / 2])
+          add({{t[0], t[1], t[2]}}, ((d & 1U) != 0) == up_, maps_[0].lines[d / 2].name);
+      }
+    }
+    return part;
+  }
+
+  std::span<const LoftSection> sections_;
+  LoftOptions options_;
+  std::vector<SectionMap> maps_;
+  std::vector<std::vector<Dart>> darts_;  // of each section, what stands for the first one's
+  bool up_ = true;                        // the sections follow each other towards who looks at them
+  std::vector<Point3> points_;
+  std::vector<std::vector<Chain>> chains_;  // of each section, each line of the first
+  std::vector<geom::Polyline> flat_;        // of the section before
+  std::vector<std::vector<Triangle>> bands_;
+};
+
+/// The contour with its first corner there, also where it had to be turned round.
+void begin_at(Contour& contour, Point first) {
+  const auto by = std::find(contour.points.begin(), contour.points.end(), first) - contour.points.begin();
+  std::rotate(contour.points.begin(), contour.points.begin() + by, contour.points.end());
+  std::rotate(contour.names.begin(), contour.names.begin() + by, contour.names.end());
+}
+
+/// Every profile has its neighbours on one side each: the one before it behind, the one after it in front.
+Result<void> check_order(std::span<const PlacedProfile> profiles, const std::vector<Rings>& rings, const Maker& maker) {
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    const Matrix& m = profiles[k].place;
+    const Point3 origin{m[3], m[7], m[11]};
+    const Vector3 up = cross(Vector3{m[0], m[4], m[8]}, Vector3{m[1], m[5], m[9]});
+    const auto check = [&](std::size_t l, double way) -> Result<void> {
+      for (const Ring& ring : rings[l]) {
+        for (const std::uint32_t p : ring) {
+          if (way * dot(maker.points()[p] - origin, up) > 0.0) continue;
+          constexpr const char* in_front =
+              "profile {} has a corner that is not in front of profile {}: profiles stand one in front of the other";
+          constexpr const char* behind =
+              "profile {} has a corner that is not behind profile {}: profiles stand one in front of the other";
+          return Error{ErrorCode::InvalidOption, fmt::format(fmt::runtime(way > 0.0 ? in_front : behind), l + 1, k + 1),
+                       at_point(maker.points()[p])};
+        }
+      }
+      return {};
+    };
+    if (k > 0) DOBRA_TRY_VOID(check(k - 1, -1.0));
+    if (k + 1 < profiles.size()) DOBRA_TRY_VOID(check(k + 1, 1.0));
+  }
+  return {};
+}
+
+/// The sides over contour c of all profiles.
+void add_bands(Maker& maker, const std::vector<std::vector<Contour>>& contours, const std::vector<Rings>& rings,
+               std::size_t c, SideNames names) {
+  const std::size_t n = contours[0][c].points.size();
+  const bool equal =
+      std::all_of(contours.begin(), contours.end(), [&](const auto& own) { return own[c].points.size() == n; });
+  const auto chain_of = [&](std::size_t k) {
+    Chain chain{rings[k][c], {}};
+    chain.points.push_back(chain.points.front());
+    if (!equal) chain.at = fractions({contours[k][c].points, true});
+    for (std::size_t i = 0; equal && i <= n; ++i) chain.at.push_back(static_cast<double>(i));
+    return chain;
+  };
+  for (std::size_t k = 1; k < contours.size(); ++k) {
+    std::size_t count = 0;
+    for (const Triangle& t : band(maker.points(), chain_of(k - 1), chain_of(k))) {
+      // With equal numbers two triangles stand over every side.
+      const bool own = equal || names == SideNames::One || c > 0;
+      maker.face({{t[0], t[1], t[2]}}, own ? contours[0][c].names[equal ? count++ / 2 : 0] : "side");
+    }
+  }
+}
+
+}  // namespace
+
+LoftSection loft_section(const Cap& cap, std::span<const std::string> names) {
+  LoftSection section{cap.frame, {}};
+  const auto name = [&](std::uint32_t solid) { return solid == outside ? std::string() : names[solid]; };
+  for (const CapLine& line : cap.lines)
+    section.lines.push_back(
+        {line.line, fmt::format("{}", fmt::join(line.names, "+")), name(line.left), name(line.right)});
+  return section;
+}
+
+Result<std::vector<LoftPart>> loft_sections(std::span<const LoftSection> sections, const LoftOptions& options) {
+  return SectionsLofter(sections, options).run();
+}
+
+Result<Shape> loft(std::span<const PlacedProfile> profiles, SideNames names) {
+  if (profiles.size() < 2) return Error{ErrorCode::InvalidOption, "a loft needs two profiles or more"};
+  std::vector<std::vector<Contour>> contours;
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    DOBRA_TRY_VOID(check_matrix(profiles[k].place));
+    DOBRA_TRY(auto own, contours_of(profiles[k].profile, names));
+    if (k > 0 && own.size() != contours[0].size()) {
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("profile {} has {} holes and profile 1 has {}: profiles that are joined have as many",
+                               k + 1, own.size() - 1, contours[0].size() - 1)};
+    }
+    for (std::size_t c = 0; c < own.size(); ++c) {
+      const geom::Polyline& given = c == 0 ? profiles[k].profile.outline : profiles[k].profile.holes[c - 1];
+      begin_at(own[c], given.points[0]);
+    }
+    contours.push_back(std::move(own));
+  }
+  Maker maker;
+  std::vector<Rings> rings;
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    Rings& own = rings.emplace_back();
+    for (const Contour& contour : contours[k]) {
+      std::vector<Point3> points;
+      for (const Point p : contour.points) points.push_back(flat(p));
+      DOBRA_TRY_VOID(place(points, profiles[k].place));
+      Ring& ring = own.emplace_back();
+      for (const Point3 p : points) ring.push_back(maker.point(p));
+    }
+  }
+  DOBRA_TRY_VOID(check_order(profiles, rings, maker));
+  maker.face(reversed(rings.front()), "start");
+  maker.face(rings.back(), "end");
+  for (std::size_t c = 0; c < contours[0].size(); ++c) add_bands(maker, contours, rings, c, names);
+  return maker.take();
+}
+
+}  // namespace dobra::solid::shape

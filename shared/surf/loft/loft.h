@@ -1,0 +1,34 @@
+#pragma once
+// The surface through lines that lie side by side: straight from vertex to vertex along the lines, a cubic B-spline
+// across them. Across the lines it misses a smooth surface by the fourth power of their spacing. Solids between whole
+// sections are solid/shape/loft.h. Page: docs/algorithms/loft.md. Source: [piegl1997] 9.2.1 (interpolation), 10.3
+// (skinning).
+
+#include <vector>
+
+#include "shared/surf/surface.h"
+
+namespace dobra::surf::loft {
+
+struct Loft {
+  Surface surface;              ///< u along the lines, v across them, both from 0 to 1.
+  std::vector<double> lines_v;  ///< v of each line. At that v the surface is the line, with all its vertices.
+};
+
+/// u is the part of a line's length; v goes by the mean chord from line to line. Through four lines and more the third
+/// derivative is continuous at the second and the last but one; three give a parabola, two straight ways.
+/// @param lines  in their order, each run the same way, with two points at least.
+/// @error InvalidOption: fewer than two lines; DegenerateCurve: a line without length, a point twice in turn, or two
+///        lines at one place, with the place.
+/// @cost  O(vertices times lines)
+base::Result<Loft> loft(const std::vector<std::vector<geom::Point3>>& lines);
+
+/// The parts of the lengths at which any of the lines has a vertex; those nearer than 1e-10 are one.
+struct CommonBreaks {
+  std::vector<double> u;
+  std::vector<std::vector<geom::Point3>> points;  ///< [line][break]
+};
+/// @error as loft
+base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<geom::Point3>>& lines);
+
+}  // namespace dobra::surf::loft

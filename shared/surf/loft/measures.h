@@ -1,0 +1,40 @@
+#pragma once
+// Areas, dips and volumes of surfaces in space. Page: docs/algorithms/loft.md.
+
+#include <optional>
+#include <vector>
+
+#include "shared/base/angle.h"
+#include "shared/surf/loft/patch.h"
+
+namespace dobra::surf::loft {
+
+/// How a plane lies: dip below the horizontal, 0 to 90 degrees, and the way that it goes down, from north clockwise.
+struct Dip {
+  base::Angle dip;
+  base::Angle azimuth;  ///< 0 where it is level.
+};
+/// Of the triangles of a patch.
+std::vector<Dip> dips(const Patch& patch);
+
+struct Measures {
+  double area = 0.0;     ///< m2
+  double plan = 0.0;     ///< Of what it covers on the map, overturned parts less, m2.
+  base::Angle dip_mean;  ///< Weighted by area.
+  double mean_z = 0.0;   ///< Weighted by area, m.
+};
+/// Gauss's rule in each cell of the lattice, 2 points along u and 5 along v: exact for plan areas of lofts.
+Measures measures(const NamedSurface& surface);
+
+/// What is between two surfaces.
+struct Volume {
+  double value = 0.0;  ///< Integral of the height of the upper above the lower, m3; where it is below, it counts less.
+  double plan = 0.0;   ///< Over which, m2.
+  bool exact = false;  ///< Both have one border on the map, and the value is that of the surfaces themselves.
+};
+/// Over what both cover on the map. Where their borders are the same there (to 1e-6 of the size), the value is the
+/// integral over the surfaces; else that of the pairs of triangles of both lattices that lie over each other.
+/// @cost O(n log n + pairs)
+Volume volume_between(const NamedSurface& upper, const NamedSurface& lower);
+
+}  // namespace dobra::surf::loft

@@ -1,0 +1,65 @@
+#include "shared/surf/loft/patch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dobra::surf::loft {
+
+namespace {
+
+constexpr std::size_t most_triangles = 4'000'000;
+
+std::vector<double> parted(const std::vector<double>& lines, std::size_t rows) {
+  std::vector<double> made{lines.front()};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    for (std::size_t k = 1; k < rows; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(rows);
+      made.push_back((1.0 - t) * lines[i - 1] + t * lines[i]);
+    }
+    made.push_back(lines[i]);
+  }
+  return made;
+}
+
+std::vector<double> merged(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end());
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+}  // namespace
+
+base::Result<Patch> lattice(Surface surface, const LatticeLines& lines) {
+  std::vector<double> u = parted(merged(surface.breaks().u, lines.u), lines.rows_u);
+  std::vector<double> v = parted(merged(surface.breaks().v, lines.v), lines.rows_v);
+  if (2 * u.size() * v.size() > most_triangles)
+    return base::Error{base::ErrorCode::TooManyElements,
+                       fmt::format("a lattice of {} by {} lines; simplify the lines of the sections, or ask for fewer "
+                                   "rows between them",
+                                   u.size(), v.size())};
+  std::vector<geom::Point> places;
+  for (const double a : u) {
+    for (const double b : v) places.push_back({a, b});
+  }
+  std::vector<Jet> jets(places.size());
+  surface.jets(places, jets);
+  Patch patch{std::move(surface), std::move(u), std::move(v), {}, {}, {}, {}, {}};
+  for (const Jet& jet : jets) patch.points.push_back(jet.at);
+  const auto row = static_cast<std::uint32_t>(patch.v.size());
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const auto& p = patch.points;
+    if (!(p[a] == p[b]) && !(p[b] == p[c]) && !(p[c] == p[a])) patch.triangles.push_back({a, b, c});
+  };
+  for (std::uint32_t i = 0; i + 1 < patch.u.size(); ++i) {
+    for (std::uint32_t j = 0; j + 1 < row; ++j) {
+      const std::uint32_t a = i * row + j, b = a + row, c = b + 1, d = a + 1;
+      add(a, b, c);
+      add(a, c, d);
+    }
+  }
+  return patch;
+}
+
+}  // namespace dobra::surf::loft

@@ -1,0 +1,390 @@
+// 1. Mis-ties (ties.h).
+// 2. A name of which two lines cross is a network (network.h); else, and where that has no cell, a row of sections.
+// 3. In a row: pieces between faults, called by the faults at their ends; each run of sections that follow each other
+//    and have such a piece gives a loft.
+#include "shared/surf/loft/through.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "shared/surf/loft/cut.h"
+#include "shared/surf/loft/ends.h"
+#include "shared/surf/loft/loft.h"
+#include "shared/surf/loft/network.h"
+#include "shared/surf/loft/pieces.h"
+
+namespace dobra::surf::loft {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Point;
+using geom::Point3;
+using geom::Vector;
+
+namespace {
+
+Vector way_of(const Section& section) { return section.trace.corners().back() - section.trace.corners().front(); }
+
+/// What a piece is called: the faults at its ends, and which of several of those it is.
+struct PieceName {
+  std::string low, high;
+  std::size_t number = 0;
+  friend auto operator<=>(const PieceName&, const PieceName&) = default;
+};
+
+/// A line of a row, run the way of the first section.
+struct Strand {
+  std::size_t section = 0;  // number
+  PieceName name;
+  std::vector<Point3> points;
+};
+
+base::Place place_at(Point3 p, std::string item) { return {.item = std::move(item), .x = p.x, .y = p.y, .z = p.z}; }
+
+std::string piece_words(const PieceName& name) {
+  if (name.low.empty() && name.high.empty()) return "the piece that ends at no fault";
+  if (name.low.empty()) return fmt::format("the piece that ends at fault '{}'", name.high);
+  if (name.high.empty()) return fmt::format("the piece that begins at fault '{}'", name.low);
+  return fmt::format("the piece between faults '{}' and '{}'", name.low, name.high);
+}
+
+/// Lines whose ends say little of their way are turned so that they lie along the one before.
+void turn_like(const std::vector<Point3>& before, std::vector<Point3>& line) {
+  const double straight = geom::distance(before.front(), line.front()) + geom::distance(before.back(), line.back());
+  const double crossed = geom::distance(before.front(), line.back()) + geom::distance(before.back(), line.front());
+  if (crossed < straight) std::reverse(line.begin(), line.end());
+}
+
+class Through {
+ public:
+  Through(Surfaces made, const ThroughOptions& options) : made_(std::move(made)), options_(options) {}
+
+  base::Result<Surfaces> run() {
+    // Faults first: horizons end at them.
+    for (const LineKind kind : {LineKind::Fault, LineKind::Horizon}) DOBRA_TRY_VOID(surfaces_of(kind));
+    std::stable_sort(made_.surfaces.begin(), made_.surfaces.end(), [&](const NamedSurface& a, const NamedSurface& b) {
+      return std::find(names_.begin(), names_.end(), a.name) < std::find(names_.begin(), names_.end(), b.name);
+    });
+    return std::move(made_);
+  }
+
+ private:
+  base::Result<void> surfaces_of(LineKind kind) {
+    std::set<std::string> done;
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      for (std::size_t l = 0; l < made_.sections[s].lines.size(); ++l) {
+        const SectionLine line = made_.sections[s].lines[l];
+        if (std::find(names_.begin(), names_.end(), line.name) == names_.end()) names_.push_back(line.name);
+        if (line.kind != kind || !done.insert(line.name).second) continue;
+        DOBRA_TRY_VOID(surface_of(line.name, line.kind));
+      }
+    }
+    return {};
+  }
+
+  void tell(std::string code, std::string message, base::Place place) {
+    made_.findings.push_back({std::move(code), std::move(message), std::move(place)});
+  }
+
+  [[nodiscard]] std::vector<std::size_t> sections_with(const std::string& name) const {
+    std::vector<std::size_t> which;
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      const auto& lines = made_.sections[s].lines;
+      if (std::any_of(lines.begin(), lines.end(), [&](const SectionLine& l) { return l.name == name; }))
+        which.push_back(s);
+    }
+    return which;
+  }
+
+  base::Result<void> surface_of(const std::string& name, LineKind kind) {
+    const std::vector<std::size_t> which = sections_with(name);
+    tell_missing(name, kind, which);
+    if (which.size() < 2) return {};
+    std::vector<Mistie> misties;
+    for (const Mistie& m : made_.misties) {
+      if (m.line == name) misties.push_back(m);
+    }
+    NamedSurface surface{name, kind, {}};
+    lines_v_.clear();
+    std::vector<std::size_t> left = which;
+    if (!misties.empty()) {
+      DOBRA_TRY(surface.patches, patches_between(made_.sections, name, misties, options_, made_.size, made_.findings));
+      if (surface.patches.empty()) left = without_crossings(which, misties);
+    }
+    if (surface.patches.empty() && left.size() > 1) {
+      DOBRA_TRY(surface.patches, row_patches(name, kind, left));
+    }
+    if (surface.patches.empty() && left.size() < 2) {
+      const Point3 at = misties.front().at;
+      tell("no_surface",
+           fmt::format("{} '{}': its sections cross, and neither do three of them bound a cell nor do two lie side by "
+                       "side; no surface goes through them",
+                       kind_name(kind), name),
+           place_at(at, fmt::format("{} '{}'", kind_name(kind), name)));
+    }
+    tell_left_out(surface, which, left);
+    if (kind == LineKind::Horizon && lines_v_.size() == surface.patches.size())
+      lead_to_faults(surface, lines_v_, made_.surfaces, greatest_way * made_.size, made_.findings);
+    if (!surface.patches.empty()) made_.surfaces.push_back(std::move(surface));
+    return {};
+  }
+
+  void tell_missing(const std::string& name, LineKind kind, const std::vector<std::size_t>& which) {
+    if (which.size() == made_.sections.size()) return;
+    std::vector<std::string> without;
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      if (std::find(which.begin(), which.end(), s) == which.end())
+        without.push_back(fmt::format("'{}'", made_.sections[s].name));
+    }
+    const std::string item = fmt::format("{} '{}'", kind_name(kind), name);
+    if (which.size() < 2) {
+      const Section& section = made_.sections[which.front()];
+      const auto line = std::find_if(section.lines.begin(), section.lines.end(),
+                                     [&](const SectionLine& l) { return l.name == name; });
+      tell("single", fmt::format("{} is in section '{}' alone; a surface takes two", item, section.name),
+           place_at(section.trace.in_space(line->line.points.front()), item));
+    } else {
+      tell("missing", fmt::format("{} is not in {}; its surface passes without", item, fmt::join(without, ", ")),
+           {.item = item});
+    }
+  }
+
+  /// Takes away the section with most crossings, the last of them, until none cross.
+  static std::vector<std::size_t> without_crossings(std::vector<std::size_t> which,
+                                                    const std::vector<Mistie>& misties) {
+    while (true) {
+      std::map<std::size_t, std::size_t> count;
+      for (const Mistie& m : misties) {
+        const auto has = [&](std::size_t s) { return std::find(which.begin(), which.end(), s) != which.end(); };
+        if (has(m.first) && has(m.second)) ++count[m.first], ++count[m.second];
+      }
+      if (count.empty()) return which;
+      const auto most = std::max_element(count.begin(), count.end(),
+                                         [](const auto& a, const auto& b) { return a.second <= b.second; });
+      std::erase(which, most->first);
+    }
+  }
+
+  /// How far lines that no surface was laid through are from it.
+  void tell_left_out(const NamedSurface& surface, const std::vector<std::size_t>& which,
+                     const std::vector<std::size_t>& left) {
+    if (left.size() == which.size() || surface.patches.empty()) return;
+    for (const std::size_t s : which) {
+      if (std::find(left.begin(), left.end(), s) != left.end()) continue;
+      const Section& section = made_.sections[s];
+      const SectionCut cut = cut_along({surface}, section.trace, made_.size);
+      double most = 0.0;
+      Point3 at{};
+      double low = INFINITY, high = -INFINITY;
+      for (const CutLine& line : cut.lines) {
+        const geom::Box box = line.line.box();
+        low = std::min(low, box.low.x), high = std::max(high, box.high.x);
+      }
+      for (const SectionLine& line : section.lines) {
+        if (line.name != surface.name) continue;
+        for (const Point p : line.line.points) {
+          if (p.x < low || p.x > high) continue;
+          double least = INFINITY;
+          for (const CutLine& other : cut.lines) least = std::min(least, geom::distance(other.line, p));
+          if (least > most) most = least, at = section.trace.in_space(p);
+        }
+      }
+      tell("left_out",
+           fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and the "
+                       "line of '{}' is up to {:.6g} m from it",
+                       kind_name(surface.kind), surface.name, section.name, most),
+           place_at(at, fmt::format("section '{}'", section.name)));
+    }
+  }
+
+  base::Result<std::vector<Patch>> row_patches(const std::string& name, LineKind kind,
+                                               const std::vector<std::size_t>& which) {
+    const std::string item = fmt::format("{} '{}'", kind_name(kind), name);
+    const Row row = row_of(made_.sections, which);
+    if (row.end_to_end) {
+      const Point p = made_.sections[row.order.front()].trace.corners().front();
+      tell("end_to_end",
+           fmt::format("{}: its sections lie behind each other in one line, and no surface goes through them", item),
+           {.item = item, .x = p.x, .y = p.y});
+      return std::vector<Patch>{};
+    }
+    std::vector<std::vector<Strand>> strands;
+    for (std::size_t k = 0; k < row.order.size(); ++k)
+      strands.push_back(strands_of(row.order[k], row.against[k], name, kind));
+    tell_uneven(item, strands);
+    return runs(item, strands);
+  }
+
+  std::vector<Strand> strands_of(std::size_t number, bool against, const std::string& name, LineKind kind) {
+    const Section& section = made_.sections[number];
+    geom::Box box;
+    for (const SectionLine& line : section.lines) {
+      for (const Point p : line.line.points) box.add(p);
+    }
+    std::vector<LinePiece> pieces = pieces_of(section, name, options_.at_fault * box.diagonal());
+    const auto ascends = [&](const geom::Polyline& line) {
+      const Vector way = line.points.back() - line.points.front();
+      if (kind == LineKind::Horizon) return (way.x > 0.0) != against;
+      return std::abs(way.y) > 0.1 * std::abs(way.x) ? way.y < 0.0 : (way.x > 0.0) != against;
+    };
+    std::vector<Strand> strands;
+    for (LinePiece& piece : pieces) {
+      if (!ascends(piece.line)) {
+        piece.line = geom::reversed(std::move(piece.line));
+        std::swap(piece.first_fault, piece.last_fault);
+      }
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [&](const LinePiece& a, const LinePiece& b) {
+      const Point p = a.line.box().centre(), q = b.line.box().centre();
+      if (kind == LineKind::Fault) return p.y > q.y;
+      return against ? p.x > q.x : p.x < q.x;
+    });
+    // A fault that is whole is one piece, wherever it ends.
+    const bool by_faults = kind == LineKind::Horizon || pieces.size() > 1;
+    for (LinePiece& piece : pieces) {
+      PieceName called{by_faults ? piece.first_fault : "", by_faults ? piece.last_fault : "", 0};
+      for (const Strand& other : strands) {
+        if (other.name.low == called.low && other.name.high == called.high) ++called.number;
+      }
+      strands.push_back({number, called, in_space(section.trace, piece.line)});
+    }
+    return strands;
+  }
+
+  void tell_uneven(const std::string& item, const std::vector<std::vector<Strand>>& strands) {
+    const auto length = [](const std::vector<Strand>& of_section) {
+      double sum = 0.0;
+      for (const Strand& strand : of_section) sum += geom::distance(strand.points.front(), strand.points.back());
+      return sum;
+    };
+    const auto by_length = [&](const auto& a, const auto& b) { return length(a) < length(b); };
+    const auto [least, most] = std::minmax_element(strands.begin(), strands.end(), by_length);
+    if (length(*most) <= options_.uneven * length(*least)) return;
+    const std::string &a = made_.sections[least->front().section].name, &b = made_.sections[most->front().section].name;
+    tell("uneven",
+         fmt::format("{} reaches {:.6g} m in section '{}' and {:.6g} m in '{}'; the surface goes from end to end", item,
+                     length(*least), a, length(*most), b),
+         place_at(least->front().points.back(), item));
+  }
+
+  /// A loft for each run of sections that follow each other and have a piece of one name.
+  base::Result<std::vector<Patch>> runs(const std::string& item, const std::vector<std::vector<Strand>>& strands) {
+    std::set<PieceName> names;
+    for (const auto& of_section : strands) {
+      for (const Strand& strand : of_section) names.insert(strand.name);
+    }
+    std::vector<Patch> patches;
+    lines_v_.clear();
+    for (const PieceName& name : names) {
+      std::vector<const Strand*> run;
+      for (const auto& of_section : strands) {
+        const auto found = std::find_if(of_section.begin(), of_section.end(),
+                                        [&](const Strand& strand) { return strand.name == name; });
+        if (found != of_section.end()) {
+          run.push_back(&*found);
+        } else {
+          DOBRA_TRY_VOID(add_loft(item, name, run, patches));
+          run.clear();
+        }
+      }
+      DOBRA_TRY_VOID(add_loft(item, name, run, patches));
+    }
+    return patches;
+  }
+
+  base::Result<void> add_loft(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
+                              std::vector<Patch>& patches) {
+    if (run.empty()) return {};
+    const std::string& section = made_.sections[run.front()->section].name;
+    if (run.size() == 1) {
+      tell("piece_alone",
+           fmt::format("{}: {} is in section '{}' and in none beside it; it stays a line there", item,
+                       piece_words(name), section),
+           place_at(run.front()->points.front(), item));
+      return {};
+    }
+    std::vector<std::vector<Point3>> lines;
+    for (const Strand* strand : run) {
+      lines.push_back(strand->points);
+      if (lines.size() > 1 && item.starts_with("fault")) turn_like(lines[lines.size() - 2], lines.back());
+    }
+    const auto made = loft(lines);
+    if (!made) {
+      tell("no_surface", fmt::format("{}: {}", item, made.error().message),
+           base::located(made.error(), {.item = item}).place.value_or(base::Place{}));
+      return {};
+    }
+    const std::size_t breaks = made->surface.breaks().u.size();
+    std::size_t rows = options_.rows;
+    while (rows > 1 && 2 * breaks * (run.size() - 1) * rows > options_.triangles) --rows;
+    DOBRA_TRY(Patch patch, lattice(made->surface, {{}, made->lines_v, breaks == 2 ? options_.rows : 1, rows}));
+    for (const Strand* strand : run) patch.sections.push_back(strand->section);
+    patch.low_fault = name.low;
+    patch.high_fault = name.high;
+    patches.push_back(std::move(patch));
+    lines_v_.push_back(made->lines_v);
+    return {};
+  }
+
+  static constexpr double greatest_way = 0.05;  // of the size: from the border of a horizon to its fault
+
+  Surfaces made_;
+  const ThroughOptions& options_;
+  std::vector<std::string> names_;            // in the order in which sections name them
+  std::vector<std::vector<double>> lines_v_;  // of the patches of a row
+};
+
+}  // namespace
+
+Row row_of(const std::vector<Section>& sections, const std::vector<std::size_t>& which) {
+  std::vector<Point> middles;
+  Vector mean{};
+  for (const std::size_t s : which) {
+    const auto& trace = sections[s].trace;
+    middles.push_back(trace.on_map(0.5 * trace.length()));
+    mean = mean + (middles.back() - middles.front()) / static_cast<double>(which.size());
+  }
+  const Point centre = middles.front() + mean;
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (const Point p : middles) {
+    const Vector d = p - centre;
+    xx += d.x * d.x, xy += d.x * d.y, yy += d.y * d.y;
+  }
+  const double turn = 0.5 * std::atan2(2.0 * xy, xx - yy);
+  const Vector axis{std::cos(turn), std::sin(turn)};
+  Row row;
+  row.order = which;
+  const auto along = [&](std::size_t s) {
+    const auto& trace = sections[s].trace;
+    return geom::dot(trace.on_map(0.5 * trace.length()) - centre, axis);
+  };
+  std::stable_sort(row.order.begin(), row.order.end(),
+                   [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
+  // The first that the document names stays in front.
+  if (along(which.front()) > 0.0) std::reverse(row.order.begin(), row.order.end());
+  for (std::size_t k = 0; k < row.order.size(); ++k) {
+    const Vector way = geom::normalised(way_of(sections[row.order[k]]));
+    const bool turned = k > 0 && geom::dot(way, way_of(sections[row.order[k - 1]])) < 0.0;
+    row.against.push_back(k > 0 && (turned != row.against[k - 1]));
+  }
+  bool all_along = true;
+  for (const std::size_t s : row.order)
+    all_along = all_along && std::abs(geom::dot(geom::normalised(way_of(sections[s])), axis)) > 0.98;
+  row.end_to_end = all_along;
+  return row;
+}
+
+base::Result<Surfaces> surfaces_through(std::vector<Section> sections, const ThroughOptions& options) {
+  if (sections.empty()) return Error{ErrorCode::BadSection, "no section to lay surfaces through"};
+  DOBRA_TRY(Tied tied, tie(std::move(sections), options.ties));
+  Surfaces made{{}, std::move(tied.sections), std::move(tied.misties), std::move(tied.findings), 0.0};
+  made.size = size_of(made.sections);
+  return Through(std::move(made), options).run();
+}
+
+}  // namespace dobra::surf::loft

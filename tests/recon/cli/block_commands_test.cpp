@@ -1,0 +1,194 @@
+// `recon block` and `recon cut`: refusals first, then empty results, then figures that are known otherwise.
+
+#include "recon/cli/block_commands.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "recon/cli/section_commands.h"
+#include "recon/cli/solid_command.h"
+#include "recon/cli/space_commands.h"
+#include "recon/core/operations.h"
+#include "shared/io/file.h"
+#include "tests/support/command_line.h"
+#include "tests/support/corpus.h"
+
+namespace recon::cli {
+namespace {
+
+using dobra::test::Outcome;
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+class BlockCommands : public dobra::test::CommandLine {
+ protected:
+  BlockCommands()
+      : CommandLine(core::program(), {block_command(), cut_command(), solid_command(), restore_command()}) {}
+
+  /// Two layers of 100 m by 10 m that dip by 45 degrees to the right, and a fault.
+  std::string lines() const {
+    return put("section.csv",
+               "x,z,name,kind\n0,0,top,horizon\n100,-100,top,horizon\n0,-10,middle,horizon\n100,-110,middle,horizon\n"
+               "0,-20,base,horizon\n100,-120,base,horizon\n20,0,F,fault\n40,-100,F,fault\n");
+  }
+  [[nodiscard]] std::string scenario(const std::string& input = "along_strike = 50\n") const {
+    lines();
+    return put("section.toml", "dobra = 1\nprogram = \"recon\"\n[input]\n" + input +
+                                   "[[input.lines]]\nfile = \"section.csv\"\nunit = \"m\"\n");
+  }
+  Json told(const std::vector<std::string>& args, int code = 0) const {
+    std::vector<std::string> all = args;
+    all.emplace_back("--json");
+    const Outcome outcome = call(all);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    return Json::parse(outcome.out);
+  }
+};
+
+TEST_F(BlockCommands, RefusalsSayWhatIsMissing) {
+  EXPECT_EQ(told({"block", lines()}, 3)["findings"][0]["code"], "missing_key");
+  EXPECT_EQ(call({"block", lines(), "--along-strike", "-3"}).code, 3);
+  EXPECT_EQ(call({"block", lines(), "--along-strike", "3", "--out", "block.txt"}).code, 2);
+  EXPECT_EQ(call({"block", path("none.csv"), "--along-strike", "3"}).code, 3);
+  const std::string several =
+      put("several.toml",
+          "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 0, "
+          "100, 0]\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 9, 100, 9]\n");
+  EXPECT_THAT(call({"block", several, "--along-strike", "5"}).err, HasSubstr("several sections in space"));
+  EXPECT_THAT(call({"solid", several}).err, HasSubstr("several sections in space"));
+  EXPECT_EQ(call({"cut", lines(), "--trace", "0,0,1,1"}).code, 2);
+  EXPECT_EQ(call({"cut", scenario(), "--trace", "0,0,1"}).code, 2);
+  EXPECT_EQ(call({"cut", scenario()}).code, 2);
+  EXPECT_EQ(call({"cut", scenario(), "--trace", "4,4,4,4"}).code, 3);
+  EXPECT_EQ(call({"cut", scenario(""), "--trace", "0,0,1,1"}).code, 3);
+  EXPECT_EQ(call({"cut", scenario(), "--trace", "0,0,1,1", "--out", path("section.csv")}).code, 2);
+}
+
+TEST_F(BlockCommands, BlockHasTheVolumesOfItsUnitsAndWritesTheirFaces) {
+  const Json json = told({"block", lines(), "--along-strike", "50", "--out", path("block.obj")});
+  EXPECT_EQ(json["volume"], 2000.0 * 50.0);
+  EXPECT_EQ(json["area"], 2000.0);
+  ASSERT_EQ(json["units"].size(), 2U);
+  EXPECT_EQ(json["units"][0]["name"], "top - middle");
+  EXPECT_EQ(json["units"][0]["volume"], 50000.0);
+  EXPECT_EQ(json["vertices"], 12);
+  EXPECT_EQ(json["edges"], 20);
+  EXPECT_EQ(json["faces"], 11);
+  EXPECT_TRUE(json["findings"].empty()) << json["findings"];
+  const std::string text = dobra::io::read_text(path("block.obj")).value();
+  EXPECT_THAT(text, HasSubstr("g top_-_middle horizon_top\n"));
+  EXPECT_THAT(text, HasSubstr("g middle_-_base horizon_middle\n"));
+  EXPECT_THAT(text, HasSubstr("g middle_-_base start\n"));
+  for (const char* name : {"block.stl", "block.ply", "block.off"})
+    EXPECT_EQ(call({"block", lines(), "--along-strike", "50", "--out", path(name)}).code, 0) << name;
+}
+
+TEST_F(BlockCommands, WhatReadingRemarksIsSaidOnce) {
+  const std::string two =
+      put("two.csv",
+          "x,z,name,kind\n0,0,top,horizon\n40,0,top,horizon\n0,-20,base,horizon\n50,-20,base,horizon\n"
+          "40,-5,top,horizon\n100,-5,top,horizon\n50,-25,base,horizon\n100,-25,base,horizon\n"
+          "40,10,F,fault\n40,-5,F,fault\n50,-20,F,fault\n50,-40,F,fault\n");
+  const Outcome outcome = call({"block", two, "--along-strike", "5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string remark = "horizon 'top' is in 2 pieces";
+  const std::size_t first = outcome.err.find(remark);
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find(remark, first + 1), std::string::npos) << outcome.err;
+}
+
+TEST_F(BlockCommands, SolidTakesTheBlockOfASectionAsOneOrAUnitOfIt) {
+  const Json all = told({"solid", scenario(), "--out", path("part.stl")});
+  EXPECT_EQ(all["volume"], 100000.0);
+  EXPECT_EQ(all["shells"], 1);
+  EXPECT_EQ(all["genus"], 0);
+  EXPECT_TRUE(std::filesystem::exists(path("part.stl")));
+  const Json again = told({"solid", path("part.stl")});
+  EXPECT_EQ(again["volume"], 100000.0);
+  const Json one = told({"solid", scenario(), "--part", "middle - base"});
+  EXPECT_EQ(one["volume"], 50000.0);
+  const Json without = told({"solid", scenario(), "--subtract", path("part.stl")});
+  EXPECT_EQ(without["volume"], 0.0);
+  EXPECT_EQ(call({"solid", scenario(), "--part", "none"}).code, 3);
+  EXPECT_EQ(call({"solid", scenario(""), "--json"}).code, 3);
+}
+
+TEST_F(BlockCommands, ABlockMayStandAskewOnTheMap) {
+  const std::string askew = scenario("along_strike = 50\ntrace = [678123.4, 7391234.5, 678201.7, 7391300.1]\n");
+  EXPECT_EQ(told({"block", askew, "--out", path("block.obj")})["volume"], 100000.0);
+  const std::string text = dobra::io::read_text(path("block.obj")).value();
+  EXPECT_THAT(text, HasSubstr("v 678123.4"));
+  const Json cut = told({"cut", askew, "--trace", "678123.4,7391234.5,678201.7,7391300.1"});
+  EXPECT_NEAR(cut["area"].get<double>(), 2000.0, 1e-5);
+  const Json solid = told({"solid", askew});
+  EXPECT_EQ(solid["volume"], 100000.0);
+  EXPECT_EQ(solid["findings"][0]["code"], "block_coordinates");
+}
+
+TEST_F(BlockCommands, APlaneThatMissesIsToldAndWritesNothing) {
+  const Json json = told({"cut", scenario(), "--trace", "0,60,100,60", "--out", path("cut.toml")});
+  EXPECT_EQ(json["area"], 0.0);
+  EXPECT_TRUE(json["units"].empty());
+  EXPECT_EQ(json["findings"][0]["code"], "cut_misses");
+  EXPECT_FALSE(std::filesystem::exists(path("cut.toml")));
+}
+
+TEST_F(BlockCommands, CutWritesASectionThatReconOpensAndRestores) {
+  const Json json = told({"cut", scenario(), "--trace", "0,0,50,50", "--out", path("cut.toml")});
+  EXPECT_NEAR(json["area"].get<double>(), 50.0 * std::sqrt(2.0) * 20.0, 1e-9);
+  EXPECT_EQ(json["horizons"], (std::vector<std::string>{"top", "middle", "base"}));
+  EXPECT_EQ(json["faults"], (std::vector<std::string>{"F"}));
+  EXPECT_TRUE(json["findings"].empty()) << json["findings"];
+  const Json again = told({"block", path("cut.toml"), "--along-strike", "7"});
+  EXPECT_NEAR(again["volume"].get<double>(), 7.0 * json["area"].get<double>(), 1e-8);
+  // The bed goes down by 50 m over 70.7 m.
+  const Json flat = told({"restore", path("cut.toml"), "--top", "top", "--method", "line_length"});
+  EXPECT_NEAR(flat["ledger"][0]["length_after"].get<double>(), std::sqrt(5000.0 + 2500.0), 1e-9);
+}
+
+TEST_F(BlockCommands, ItsOwnTraceGivesTheSectionBackThroughTheFile) {
+  const std::string first = path("first.toml");
+  told({"cut", scenario(), "--trace", "0,0,100,0", "--out", first});
+  told({"cut", first, "--along-strike", "20", "--trace", "0,0,100,0", "--out", path("second.toml")});
+  EXPECT_EQ(dobra::io::read_text(first).value(), dobra::io::read_text(path("second.toml")).value());
+}
+
+TEST_F(BlockCommands, AScenarioCutsItsBlockWhenItIsRead) {
+  const std::string by_command = path("cut.toml");
+  told({"cut", scenario(), "--trace", "10,5,60,30", "--out", by_command});
+  const Json there = told({"restore", by_command, "--top", "top"});
+  const Json here = told({"restore", scenario("along_strike = 50\ncut = [10, 5, 60, 30]\n"), "--top", "top"});
+  EXPECT_EQ(here["ledger"], there["ledger"]);
+  EXPECT_EQ(call({"restore", scenario("cut = [10, 5, 60, 30]\n"), "--top", "top"}).code, 3);
+  EXPECT_EQ(call({"restore", scenario("along_strike = 50\ncut = [10, 5, 60]\n"), "--top", "top"}).code, 3);
+  const Outcome missed = call({"restore", scenario("along_strike = 50\ncut = [0, 70, 100, 70]\n"), "--top", "top"});
+  EXPECT_EQ(missed.code, 3);
+  EXPECT_THAT(missed.err, HasSubstr("misses the block"));
+}
+
+TEST_F(BlockCommands, RealSectionsComeBackFromTheirBlocks) {
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
+  for (const char* folder : {"catskill_fpf", "ragan_isogon_fold"}) {
+    std::string text = "dobra = 1\nprogram = \"recon\"\n[input]\nalong_strike = 3000\nself_crossings = \"cut_loops\"\n";
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(*data / "sections" / folder)) files.push_back(entry);
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files)
+      text += "[[input.horizon]]\nname = \"" + file.stem().string() + "\"\nfile = \"" + file.string() + "\"\n";
+    const std::string section = put("real.toml", text);
+    const Json block = told({"block", section});
+    EXPECT_EQ(block["volume"], 3000.0 * block["area"].get<double>()) << folder;
+    const Json cut = told({"cut", section, "--trace", "0,0,1000,0", "--out", path("own.toml")});
+    EXPECT_NEAR(cut["area"].get<double>(), block["area"].get<double>(), 1e-12 * block["area"].get<double>());
+    for (const Json& finding : cut["findings"]) EXPECT_EQ(finding["code"], "section_remark") << finding;
+    EXPECT_EQ(told({"block", path("own.toml"), "--along-strike", "3000"})["units"], block["units"]) << folder;
+  }
+}
+
+}  // namespace
+}  // namespace recon::cli

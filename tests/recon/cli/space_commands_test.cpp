@@ -1,0 +1,152 @@
+// recon surface and recon cut: JSON that scripts rely on, files that chain, refusals with their place.
+
+#include "recon/cli/space_commands.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "recon/cli/section_commands.h"
+#include "recon/core/operations.h"
+#include "shared/io/meshes/tsurf.h"
+#include "tests/support/command_line.h"
+
+namespace recon::cli {
+namespace {
+
+using SpaceOut = nlohmann::json;
+
+class SpaceCommands : public dobra::test::CommandLine {
+ protected:
+  SpaceCommands() : CommandLine(core::program(), {surface_command(), cut_command(), restore_command()}) {}
+
+  /// A section along y with two horizons, 100 m apart along the vertical; the trace is that of the document.
+  [[nodiscard]] std::string lines(double y, const std::function<double(double, double)>& top,
+                                  double shift = 0.0) const {
+    std::string text = "x,z,name,kind\n";
+    for (const auto& [name, depth] : {std::pair("A", 0.0), {"B", -100.0}}) {
+      for (int i = 0; i <= 50; ++i) {
+        const double x = 20.0 * i;
+        text += fmt::format("{},{},{},horizon\n", x, top(x, y) + depth + shift, name);
+      }
+      text += "\n";
+    }
+    return text;
+  }
+  /// Four sections side by side, 200 m apart.
+  [[nodiscard]] std::string row(const std::function<double(double, double)>& top) const {
+    std::string text = "dobra = 1\nprogram = \"recon\"\n[input]\n";
+    for (int k = 0; k < 4; ++k) {
+      const double y = 200.0 * k;
+      (void)put(fmt::format("s{}.csv", k), lines(y, top));
+      text +=
+          fmt::format("[[input.section]]\nname = \"S{0}\"\nfile = \"s{0}.csv\"\ntrace = [0, {1}, 1000, {1}]\n", k, y);
+    }
+    return put("space.toml", text);
+  }
+  [[nodiscard]] SpaceOut json(std::vector<std::string> args) const {
+    const auto outcome = call(std::move(args));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.code == 0 ? SpaceOut::parse(outcome.out) : SpaceOut();
+  }
+};
+
+double slope(double x, double y) { return 0.2 * x + 0.1 * y; }
+
+TEST_F(SpaceCommands, SurfacesAreMeasuredAndWritten) {
+  const std::string file = row(slope);
+  const SpaceOut made = json({"surface", file, "--json", "--quiet", "--out", path("horizons.ts")});
+  ASSERT_EQ(made["surfaces"].size(), 2U);
+  for (const auto& surface : made["surfaces"]) {
+    EXPECT_EQ(surface["kind"], "horizon");
+    EXPECT_NEAR(surface["area"], 600'000.0 * std::sqrt(1.05), 1e-5);
+    EXPECT_NEAR(surface["dip_mean"], std::atan(std::sqrt(0.05)) * 57.29577951308232, 1e-9);
+    EXPECT_TRUE(surface["misties"].is_array());
+  }
+  EXPECT_EQ(made["surfaces"][0]["name"], "A");
+  ASSERT_EQ(made["volumes"].size(), 1U);
+  EXPECT_NEAR(made["volumes"][0]["volume"], 6e7, 1e-3);
+  EXPECT_TRUE(made["findings"].is_array());
+  const auto read = dobra::io::meshes::parse_tsurfs(text("horizons.ts"), "horizons.ts");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_EQ(read->size(), 2U);
+  EXPECT_EQ((*read)[1].name, "B");
+  EXPECT_EQ((*read)[1].kind, "horizon");
+  for (const char* other : {"h.obj", "h.vtp", "h.vtu"}) {
+    EXPECT_EQ(call({"surface", file, "--out", path(other)}).code, 0) << other;
+    EXPECT_GT(text(other).size(), 1000U) << other;
+  }
+  refuses({"surface", file, "--out", path("h.docx")}, 2, {".docx", ".ts"});
+}
+
+TEST_F(SpaceCommands, ACutIsASectionThatIsRestored) {
+  const std::string file = row([](double x, double y) { return 40.0 * std::sin(0.0062832 * x) + 0.05 * y; });
+  const SpaceOut cut =
+      json({"cut", file, "--trace", "100,50,900,550", "--json", "--quiet", "--out", path("section.toml")});
+  EXPECT_NEAR(cut["length"], std::hypot(800.0, 500.0), 1e-9);
+  ASSERT_EQ(cut["lines"].size(), 2U);
+  EXPECT_NEAR(cut["lines"][0]["points"].back()[0], std::hypot(800.0, 500.0), 1e-6);
+  const auto restored = call({"restore", path("section.toml"), "--method", "constant", "--json"});
+  EXPECT_EQ(restored.code, 0) << restored.err;
+  // At a section's own trace its lines come back.
+  const SpaceOut own = json({"cut", file, "--trace", "0,200,1000,200", "--json", "--quiet"});
+  ASSERT_EQ(own["lines"][0]["points"].size(), 51U);
+  for (int i = 0; i <= 50; ++i) {
+    EXPECT_NEAR(own["lines"][0]["points"][i][0], 20.0 * i, 1e-9);
+    EXPECT_NEAR(own["lines"][0]["points"][i][1], 40.0 * std::sin(0.0062832 * 20.0 * i) + 10.0, 1e-9);
+  }
+}
+
+TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
+  (void)put("a.csv", lines(0.0, slope));
+  (void)put("b.csv", "x,z,name,kind\n0,7,A,horizon\n500,7,A,horizon\n");
+  const std::string file = put("cross.toml",
+                               "dobra = 1\nprogram = \"recon\"\n[input]\n[[input.section]]\nname = \"long\"\nfile = "
+                               "\"a.csv\"\ntrace = [0, 0, 1000, 0]\n[[input.section]]\nname = \"across\"\nfile = "
+                               "\"b.csv\"\ntrace = [100, -250, 100, 250]\n");
+  const auto outcome = call({"surface", file, "--json", "--mistie-tolerance", "5"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  const SpaceOut refused = SpaceOut::parse(outcome.out);
+  EXPECT_FALSE(refused.contains("surfaces"));
+  ASSERT_EQ(refused["findings"].size(), 1U);
+  EXPECT_NEAR(refused["findings"][0]["place"]["point"][0], 100.0, 1e-9);
+  EXPECT_NE(outcome.err.find("13 m apart where 'long' and 'across' cross"), std::string::npos) << outcome.err;
+}
+
+TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {
+  const std::string file = row(slope);
+  refuses({"cut", file, "--trace", "0,5000,1000,5000"}, 3, {"no horizon lies under the trace"});
+  refuses({"cut", file, "--trace", "0,100"}, 3, {"trace: 2 numbers"});
+  refuses({"cut", file, "--trace", "0,100,west,5"}, 2, {"--trace"});
+  refuses({"cut", file, "--trace", "5,5,5,5"}, 3, {"in one place"});
+  const std::string one = put("one.toml",
+                              "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"A\"\npoints = [[0, 0], [9, "
+                              "1]]\n");
+  refuses({"cut", one, "--trace", "0,0,1,1"}, 3, {"along"});
+  refuses({"surface", one}, 4, {"[[input.section]]"});
+  // Steps of one section are refused where there are several.
+  EXPECT_NE(call({"restore", file}).err.find("several sections in space"), std::string::npos);
+}
+
+TEST_F(SpaceCommands, SectionsThatCannotStandAreRefusedWithTheirName) {
+  (void)put("a.csv", lines(0.0, slope));
+  const auto document = [&](const std::string& second) {
+    return put("d.toml",
+               "dobra = 1\nprogram = \"recon\"\n[input]\n[[input.section]]\nname = \"first\"\nfile = "
+               "\"a.csv\"\ntrace = [0, 0, 1000, 0]\n" +
+                   second);
+  };
+  refuses({"surface", document("")}, 3, {"one [[input.section]] alone"});
+  refuses({"surface", document("[[input.section]]\nfile = \"none.csv\"\ntrace = [0, 9, 10, 9]\n")}, 3, {"none.csv"});
+  refuses({"surface", document("[[input.section]]\nname = \"second\"\nfile = \"a.csv\"\n")}, 3,
+          {"second", "where the section stands"});
+  refuses({"surface", document("[[input.section]]\nname = \"first\"\nfile = \"a.csv\"\ntrace = [0, 9, 10, 9]\n")}, 3,
+          {"'first'", "name already"});
+  refuses({"surface", document("[[input.section]]\nname = \"second\"\nfile = \"a.csv\"\ntrace = [0, 9, 0, 9]\n")}, 3,
+          {"second", "in one place"});
+}
+
+}  // namespace
+}  // namespace recon::cli

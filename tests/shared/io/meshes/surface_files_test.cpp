@@ -1,0 +1,126 @@
+// Surfaces in space from and to TSurf, DXF faces and VTP.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shared/io/formats/format.h"
+#include "shared/io/meshes/dxf_faces.h"
+#include "shared/io/meshes/tsurf.h"
+#include "shared/io/meshes/vtp.h"
+
+namespace dobra::io::meshes {
+namespace {
+
+using geom::Point3;
+using testing::HasSubstr;
+
+void refused(const base::Result<std::vector<TSurf>>& read, std::size_t line, const std::string& part) {
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().message, HasSubstr(part));
+  ASSERT_TRUE(read.error().place);
+  EXPECT_EQ(read.error().place->line, line);
+}
+
+TEST(TSurfFile, WhatIsWrongIsRefusedWithItsLine) {
+  refused(parse_tsurfs("GOCAD PLine 1\nVRTX 1 0 0 0\nEND\n", "f"), 3, "no triangle surface");
+  refused(parse_tsurfs("GOCAD TSurf 1\nVRTX 1 0 0 0\n", "f"), 2, "before END");
+  refused(parse_tsurfs("GOCAD TSurf 1\nVRTX 1 0 zero 0\nEND\n", "f"), 2, "zero");
+  refused(parse_tsurfs("GOCAD TSurf 1\nVRTX 1 0 0 0\nTRGL 1 2 3\nEND\n", "f"), 3, "no vertex 2");
+  refused(parse_tsurfs("GOCAD TSurf 1\nVRTX 1 0 0\nEND\n", "f"), 2, "z");
+  EXPECT_FALSE(parse_tsurfs("", "f").ok());
+}
+
+TEST(TSurfFile, OtherSpellingsAreRead) {
+  const auto read = parse_tsurfs(
+      "GOCAD TSurf 1.0\nHEADER {*solid*color:0 1 0\n*name: Top of A \n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\n"
+      "AXIS_UNIT \"km\" \"km\" \"km\"\nZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nGEOLOGICAL_TYPE top\n"
+      "PROPERTIES t\nTFACE\nPVRTX 7 0 0 1 5.0\nPVRTX 8 1 0 1 5.0\nVRTX 9 0 1 1 CNXYZ\nTRGL 7 8 9\nTFACE\n"
+      "PATOM 10 8 5.0\nATOM 11 9\nVRTX 12 1 1 2\nTRGL 10 12 11\nBSTONE 7\nBORDER 13 7 8\nEND\n"
+      "GOCAD VSet 1\nVRTX 1 0 0 0\nEND\nGOCAD TSurf 1\nHEADER {name:F}\nGEOLOGICAL_TYPE fault\n"
+      "VRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n",
+      "f");
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  ASSERT_EQ(read->size(), 2u);
+  EXPECT_EQ((*read)[0].name, "Top of A");
+  EXPECT_EQ((*read)[0].kind, "horizon");
+  ASSERT_EQ((*read)[0].mesh.points.size(), 6u);
+  EXPECT_EQ((*read)[0].mesh.points[3], (Point3{1000.0, 0.0, -1000.0}));
+  EXPECT_EQ((*read)[0].mesh.points[5], (Point3{1000.0, 1000.0, -2000.0}));
+  EXPECT_EQ((*read)[0].mesh.faces.size(), 2u);
+  EXPECT_EQ((*read)[1].name, "F");
+  EXPECT_EQ((*read)[1].kind, "fault");
+  EXPECT_EQ(
+      parse_tsurf("GOCAD TSurf 1\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n", "f")->faces.size(), 1u);
+}
+
+TEST(TSurfFile, WhatIsWrittenComesBackToTheBit) {
+  const std::vector<TSurf> all{
+      {"A {1}", "horizon", {{{0.1, 1.0 / 3.0, -7e5}, {1, 0, 0}, {1, 1, 1e-9}, {0, 1, 0}}, {{0, 1, 2, 3}}}},
+      {"F", "fault", {{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}}}}};
+  const std::string text = tsurfs_text(all);
+  const auto read = parse_tsurfs(text, "f");
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  EXPECT_EQ(tsurfs_text(*read), text);
+  EXPECT_EQ((*read)[0].mesh.points, all[0].mesh.points);
+  EXPECT_EQ((*read)[0].mesh.faces.size(), 2u);
+}
+
+std::string face(const std::vector<Point3>& corners) {
+  std::string text = "  0\n3DFACE\n  8\nTOP\n";
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point3 p = corners[std::min(k, corners.size() - 1)];
+    text += std::to_string(10 + k) + "\n" + std::to_string(p.x) + "\n" + std::to_string(20 + k) + "\n" +
+            std::to_string(p.y) + "\n" + std::to_string(30 + k) + "\n" + std::to_string(p.z) + "\n";
+  }
+  return text;
+}
+std::string drawing(const std::string& entities) {
+  return "  0\nSECTION\n  2\nENTITIES\n" + entities + "  0\nENDSEC\n  0\nEOF\n";
+}
+
+TEST(DxfFaces, TrianglesAndQuadrilateralsShareTheirCorners) {
+  const auto read = parse_dxf_faces(
+      drawing("  0\nLINE\n  8\n0\n 10\n5\n 20\n5\n" + face({{0, 0, 0}, {1, 0, 0}, {1, 1, 2}}) +
+              face({{0, 0, 0}, {1, 1, 2}, {0, 1, 1}, {-1, 0.5, 0}}) + face({{3, 3, 3}, {3, 3, 3}, {4, 4, 4}})),
+      "f");
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  ASSERT_EQ(read->faces.size(), 2u);
+  EXPECT_EQ(read->faces[0], (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(read->faces[1], (std::vector<std::uint32_t>{0, 2, 3, 4}));
+  EXPECT_EQ(read->points[2], (Point3{1, 1, 2}));
+}
+
+TEST(DxfFaces, DrawingsWithoutFacesAndBrokenOnesAreRefused) {
+  EXPECT_FALSE(parse_dxf_faces(drawing(""), "f").ok());
+  EXPECT_FALSE(parse_dxf_faces("  0\nSECTION\n  2\nENTITIES\n" + face({{0, 0, 0}, {1, 0, 0}, {1, 1, 2}}), "f").ok());
+  std::string text = drawing(face({{0, 0, 0}, {1, 0, 0}, {1, 1, 2}}));
+  text.replace(text.find("0.000000"), 8, "nought!!");
+  const auto broken = parse_dxf_faces(text, "f");
+  ASSERT_FALSE(broken.ok());
+  EXPECT_EQ(broken.error().place->line, 10u);
+}
+
+TEST(SurfaceFormats, TheTableKnowsSurfacesOfGocadAndFacesOfDxf) {
+  EXPECT_EQ(formats::format_of("a.ts", formats::Use::ReadPolygons)->name, "tsurf");
+  EXPECT_EQ(formats::format_of("a.ts", formats::Use::WriteSpaceMesh)->name, "tsurf");
+  EXPECT_EQ(formats::format_of("a.dxf", formats::Use::ReadPolygons)->name, "dxf");
+  EXPECT_EQ(formats::format_of("a.dxf", formats::Use::WriteSpaceMesh), nullptr);
+  EXPECT_EQ(formats::format_of("a.dxf", formats::Use::ReadLines)->name, "dxf");
+}
+
+TEST(VtpFile, HoldsPointsFacesAndFieldsAndRefusesWhatDoesNotFit) {
+  const mesh::PolygonMesh two{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const auto text = vtp_text(two, {{}, {{"dip", 1, {10.0, 20.5}}}});
+  ASSERT_TRUE(text.ok());
+  EXPECT_THAT(*text, HasSubstr("NumberOfPoints=\"4\""));
+  EXPECT_THAT(*text, HasSubstr("NumberOfPolys=\"2\""));
+  EXPECT_THAT(*text, HasSubstr("0 1 2 \n0 2 3 \n"));
+  EXPECT_THAT(*text, HasSubstr("\n3\n6\n</DataArray>"));
+  EXPECT_THAT(*text, HasSubstr("20.5"));
+  EXPECT_FALSE(vtp_text(two, {{}, {{"dip", 1, {10.0}}}}).ok());
+  mesh::PolygonMesh bad = two;
+  bad.points[0].z = std::nan("");
+  EXPECT_FALSE(vtp_text(bad).ok());
+}
+
+}  // namespace
+}  // namespace dobra::io::meshes

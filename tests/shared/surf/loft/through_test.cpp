@@ -1,0 +1,334 @@
+// The untidy first: mis-ties, missing lines, pieces, lines the other way, sections that cannot be joined.
+#include "shared/surf/loft/through.h"
+
+#include <gtest/gtest.h>
+
+#include "shared/surf/loft/measures.h"
+#include "shared/surf/triangular_patch.h"
+#include "tests/shared/surf/loft/placed.h"
+
+namespace dobra::test {
+namespace {
+
+using loft::LineKind;
+
+double wavy(double x, double y) { return -100.0 + 20.0 * std::sin(x / 150.0) * std::cos(y / 200.0); }
+
+/// Two sections along x and two along y round a square of 1000 m, each going on by 100 m.
+std::vector<loft::Section> square(const Height& height, int n = 60) {
+  std::vector<loft::Section> sections{
+      section("south", {{-100.0, 0.0}, {1100.0, 0.0}}), section("north", {{-100.0, 1000.0}, {1100.0, 1000.0}}),
+      section("west", {{0.0, -100.0}, {0.0, 1100.0}}), section("east", {{1000.0, -100.0}, {1000.0, 1100.0}})};
+  for (auto& s : sections) add(s, "top", sampled(s, height, n));
+  return sections;
+}
+
+TEST(LoftUntidy, MistiesAreListedWithPlaceAndSharedOut) {
+  auto sections = square(wavy);
+  for (Point& p : sections[0].lines[0].line.points) p.y += 6.0;  // the southern section is 6 m too high
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.misties.size(), 4u);
+  int of_south = 0;
+  for (const loft::Mistie& m : made.misties) {
+    const bool south = m.first == 0 || m.second == 0;
+    of_south += south ? 1 : 0;
+    EXPECT_NEAR(std::abs(m.difference), south ? 6.0 : 0.0, 0.05);
+    EXPECT_NEAR(m.at.y, south ? 0.0 : 1000.0, 1e-9);
+  }
+  EXPECT_EQ(of_south, 2);
+  // Both lines are at the mean of both heights where they cross.
+  const auto south = loft::passages(made.sections[0].lines[0].line, 100.0, 1e-9);
+  const auto west = loft::passages(made.sections[2].lines[0].line, 100.0, 1e-9);
+  ASSERT_EQ(south.size(), 1u);
+  EXPECT_NEAR(south[0].z, west[0].z, 1e-9);
+  EXPECT_NEAR(south[0].z, wavy(0.0, 0.0) + 3.0, 0.05);
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  EXPECT_EQ(made.surfaces[0].patches.size(), 1u);
+  EXPECT_NE(finding(made.findings, "beyond_cells"), nullptr);
+}
+
+TEST(LoftUntidy, AMistieAboveTheToleranceIsRefusedWithItsPlace) {
+  auto sections = square(wavy);
+  for (Point& p : sections[3].lines[0].line.points) p.y -= 6.0;
+  loft::ThroughOptions options;
+  options.ties.most = 5.0;
+  const auto refused = loft::surfaces_through(sections, options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, base::ErrorCode::BadSection);
+  EXPECT_NE(refused.error().message.find("'top' is"), std::string::npos) << refused.error().message;
+  EXPECT_NEAR(*refused.error().place->x, 1000.0, 1e-9);
+  options.ties.most = 7.0;
+  EXPECT_TRUE(loft::surfaces_through(sections, options));
+}
+
+TEST(LoftUntidy, ThreeTracesThroughOnePlaceComeToOneHeight) {
+  std::vector<loft::Section> sections{section("a", {{-500.0, 0.0}, {500.0, 0.0}}),
+                                      section("b", {{0.0, -500.0}, {0.0, 500.0}}),
+                                      section("c", {{-400.0, -400.0}, {400.0, 400.0}})};
+  for (int k = 0; k < 3; ++k)
+    add(sections[static_cast<std::size_t>(k)], "top",
+        sampled(
+            sections[static_cast<std::size_t>(k)], [&](double, double) { return 3.0 * k; }, 10));
+  const auto tied = loft::tie(std::move(sections));
+  ASSERT_TRUE(tied) << tied.error().message;
+  EXPECT_EQ(tied->misties.size(), 3u);
+  for (const auto& s : tied->sections) {
+    const auto over = loft::passages(s.lines[0].line, 0.5 * s.trace.length(), 1e-9);
+    ASSERT_EQ(over.size(), 1u) << s.name;
+    EXPECT_NEAR(over[0].z, 3.0, 1e-9) << s.name;
+  }
+}
+
+TEST(LoftUntidy, AHorizonMissingOnASectionIsToldAndPassesWithout) {
+  auto sections = row(5, 1000.0, 800.0, wavy, 40);
+  sections[2].lines.clear();
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  EXPECT_EQ(made.surfaces[0].patches[0].sections, (std::vector<std::size_t>{0, 1, 3, 4}));
+  const auto* told = finding(made.findings, "missing");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("'S3'"), std::string::npos) << told->message;
+}
+
+TEST(LoftUntidy, AHorizonOfOneSectionGivesNoSurfaceAndIsToldWithPlace) {
+  auto sections = row(3, 1000.0, 800.0, wavy, 40);
+  add(sections[1], "lens",
+      sampled(
+          sections[1], [](double, double) { return -300.0; }, 5));
+  const auto made = through(std::move(sections));
+  EXPECT_EQ(made.surfaces.size(), 1u);
+  const auto* told = finding(made.findings, "single");
+  ASSERT_NE(told, nullptr);
+  EXPECT_EQ(*told->place.y, 400.0);
+}
+
+TEST(LoftUntidy, LinesAndTracesDigitisedInOppositeDirectionsGiveTheSameSurface) {
+  const auto tidy = through(row(4, 1000.0, 600.0, wavy, 50));
+  auto sections = row(4, 1000.0, 600.0, wavy, 50);
+  sections[1].lines[0].line = geom::reversed(sections[1].lines[0].line);
+  // The same section with its trace the other way.
+  sections[2] = section("S3", {{1000.0, 400.0}, {0.0, 400.0}});
+  add(sections[2], "top", sampled(sections[2], wavy, 50));
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  EXPECT_NEAR(loft::measures(made.surfaces[0]).area, loft::measures(tidy.surfaces[0]).area, 1e-6);
+  EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 600'000.0, 1e-6);
+}
+
+TEST(LoftUntidy, LinesOfUnequalExtentAreJoinedEndToEndAndTold) {
+  auto sections = row(
+      3, 1000.0, 400.0, [](double, double) { return 0.0; }, 10);
+  sections[1].lines[0].line = sampled(
+      sections[1], [](double, double) { return 0.0; }, 10, 0.25, 0.75);
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  EXPECT_NE(finding(made.findings, "uneven"), nullptr);
+  // Ends on parabolas 0, 250, 0: what is cut off on each side is 2/3 of 400 m by 250 m.
+  EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 400'000.0 - 2.0 * 2.0 / 3.0 * 400.0 * 250.0, 1e-6);
+}
+
+TEST(LoftUntidy, FaultsPartHorizonsAndTheirPiecesAreJoinedByTheFaultsAtTheirEnds) {
+  auto sections = row(
+      4, 1000.0, 600.0, [](double, double) { return 0.0; }, 1, "none");
+  for (auto& s : sections) {
+    s.lines.clear();
+    // The fault dips to the east; the horizon is 50 m lower there.
+    add(s, "F", {{{450.0, 200.0}, {650.0, -200.0}}, false}, LineKind::Fault);
+    add(s, "top", {{{0.0, 0.0}, {550.0, 0.0}}, false});
+    add(s, "top", {{{575.0, -50.0}, {1000.0, -50.0}}, false});
+  }
+  // One of them is drawn through the fault.
+  sections[1].lines[1].line.points = {{0.0, 0.0}, {550.0, 0.0}, {575.0, -50.0}, {1000.0, -50.0}};
+  sections[1].lines.pop_back();
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 2u);
+  const auto& top = made.surfaces[1];
+  ASSERT_EQ(top.name, "top");
+  std::vector<std::pair<std::string, std::string>> ends;
+  for (const auto& patch : top.patches) ends.emplace_back(patch.low_fault, patch.high_fault);
+  EXPECT_NE(std::find(ends.begin(), ends.end(), std::pair<std::string, std::string>{"", "F"}), ends.end());
+  EXPECT_NE(std::find(ends.begin(), ends.end(), std::pair<std::string, std::string>{"F", ""}), ends.end());
+  // A cut between the sections has both pieces, with their ends at the fault.
+  const auto cut = loft::cut_along(made.surfaces, trace({{0.0, 250.0}, {1000.0, 250.0}}), made.size);
+  int at_fault = 0;
+  for (const auto& line : cut.lines) {
+    if (line.kind != LineKind::Horizon) continue;
+    if (line.last_fault == "F") {
+      EXPECT_NEAR(line.line.points.back().x, 550.0, 1e-6);
+      ++at_fault;
+    }
+    if (line.first_fault == "F") {
+      EXPECT_NEAR(line.line.points.front().x, 575.0, 1e-6);
+      ++at_fault;
+    }
+  }
+  EXPECT_EQ(at_fault, 2);
+}
+
+TEST(LoftUntidy, HorizonsAreLedToCurvedFaultsBetweenTheSections) {
+  // The fault is curved along strike and in depth; lines of the horizon end on it, and nowhere else is it known.
+  const auto fault_x = [](double y, double z) { return 500.0 + 60.0 * std::sin(0.006 * y) + 0.5 * z + 1e-3 * z * z; };
+  const auto top = [](double x, double y) { return 0.1 * x + 30.0 * std::sin(0.005 * y); };
+  auto sections = row(4, 1000.0, 600.0, top, 1, "none");
+  for (auto& s : sections) {
+    s.lines.clear();
+    const double y = s.trace.corners()[0].y;
+    geom::Polyline fault;
+    for (int i = 0; i <= 40; ++i) fault.points.push_back({fault_x(y, 300.0 - 15.0 * i), 300.0 - 15.0 * i});
+    add(s, "F", fault, LineKind::Fault);
+    double end = 500.0;
+    for (int i = 0; i < 50; ++i) end = fault_x(y, top(end, y));
+    add(s, "top", sampled(s, top, 40, 0.0, end / 1000.0));
+  }
+  const auto made = through(sections);
+  const auto& surface =
+      *std::find_if(made.surfaces.begin(), made.surfaces.end(), [](const auto& s) { return s.name == "top"; });
+  const auto& fault =
+      *std::find_if(made.surfaces.begin(), made.surfaces.end(), [](const auto& s) { return s.name == "F"; });
+  ASSERT_EQ(surface.patches.size(), 1u);
+  ASSERT_EQ(surface.patches[0].high_fault, "F");
+  EXPECT_EQ(made.surfaces[0].name, "F");
+  for (const double y : {70.0, 100.0, 300.0, 520.0}) {
+    const auto cut = loft::cut_along({fault, surface}, trace({{0.0, y}, {1000.0, y}}), made.size);
+    ASSERT_EQ(cut.lines.size(), 2u);
+    EXPECT_LT(geom::distance(cut.lines[0].line, cut.lines[1].line.points.back()), 0.2) << y;
+  }
+  // The lines of the sections stay.
+  for (const auto& s : sections) {
+    const auto cut = loft::cut_along(made.surfaces, s.trace, made.size);
+    ASSERT_EQ(cut.lines.size(), 2u);
+    for (std::size_t l = 0; l < 2; ++l) EXPECT_LT(away(s.lines[l].line, cut.lines[l].line), 1e-9 * made.size);
+  }
+}
+
+TEST(LoftUntidy, AFaultThatEndsBetweenSectionsEndsThePiecesThere) {
+  auto sections = row(
+      4, 1000.0, 600.0, [](double, double) { return 0.0; }, 4);
+  for (int k = 0; k < 2; ++k)
+    add(sections[static_cast<std::size_t>(k)], "F", {{{500.0, 200.0}, {520.0, -200.0}}, false}, LineKind::Fault);
+  const auto made = through(std::move(sections));
+  const auto top =
+      std::find_if(made.surfaces.begin(), made.surfaces.end(), [](const auto& s) { return s.name == "top"; });
+  ASSERT_NE(top, made.surfaces.end());
+  EXPECT_EQ(top->patches.size(), 3u);  // two beside the fault, one where there is none
+  EXPECT_NEAR(loft::measures(*top).plan, 2.0 * 200.0 * 1000.0, 1.0);
+}
+
+TEST(LoftUntidy, SectionsBehindEachOtherGiveNoSurface) {
+  std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {400.0, 0.0}}),
+                                      section("b", {{500.0, 10.0}, {900.0, 10.0}})};
+  for (auto& s : sections) add(s, "top", sampled(s, wavy, 10));
+  const auto made = through(std::move(sections));
+  EXPECT_TRUE(made.surfaces.empty());
+  ASSERT_NE(finding(made.findings, "end_to_end"), nullptr);
+  EXPECT_TRUE(finding(made.findings, "end_to_end")->place.x);
+}
+
+TEST(LoftUntidy, TracesAlongOneAnotherAreRefusedAndThoseThatStopShortAreTold) {
+  std::vector<loft::Section> along{section("a", {{0.0, 0.0}, {400.0, 0.0}}),
+                                   section("b", {{200.0, 0.0}, {900.0, 0.0}})};
+  for (auto& s : along) add(s, "top", sampled(s, wavy, 10));
+  const auto refused = loft::surfaces_through(along);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(*refused.error().place->x, 200.0);
+
+  std::vector<loft::Section> touch{section("a", {{0.0, 0.0}, {400.0, 0.0}}),
+                                   section("b", {{200.0, 0.0}, {200.0, 400.0}}),
+                                   section("c", {{300.0, 3.0}, {300.0, 400.0}})};
+  for (auto& s : touch) add(s, "top", sampled(s, wavy, 10));
+  const auto tied = loft::tie(touch);
+  ASSERT_TRUE(tied);
+  ASSERT_EQ(tied->crossings.size(), 1u);  // b touches a; c stops short of it
+  EXPECT_EQ(tied->misties.size(), 1u);
+  ASSERT_NE(finding(tied->findings, "near_miss"), nullptr);
+  EXPECT_EQ(*finding(tied->findings, "near_miss")->place.x, 300.0);
+}
+
+TEST(LoftUntidy, ACellOfFiveSectionsStaysOpenAndIsTold) {
+  std::vector<loft::Section> sections;
+  for (int k = 0; k < 5; ++k) {
+    const double a = k * 1.2566370614359172, b = a + 1.2566370614359172;
+    const Point p{500.0 * std::cos(a), 500.0 * std::sin(a)}, q{500.0 * std::cos(b), 500.0 * std::sin(b)};
+    const geom::Vector way = 0.1 * (q - p);
+    sections.push_back(section("s" + std::to_string(k), {p - way, q + way}));
+    add(sections.back(), "top", sampled(sections.back(), wavy, 20));
+  }
+  const auto made = through(std::move(sections));
+  ASSERT_NE(finding(made.findings, "cell_open"), nullptr);
+  EXPECT_NEAR(*finding(made.findings, "cell_open")->place.x, 0.0, 1e-6);
+}
+
+TEST(LoftUntidy, TwoSectionsThatCrossAloneAreTold) {
+  std::vector<loft::Section> sections{section("a", {{-500.0, 0.0}, {500.0, 0.0}}),
+                                      section("b", {{0.0, -500.0}, {0.0, 500.0}})};
+  for (auto& s : sections) add(s, "top", sampled(s, wavy, 10));
+  const auto made = through(std::move(sections));
+  EXPECT_TRUE(made.surfaces.empty());
+  EXPECT_NE(finding(made.findings, "no_surface"), nullptr);
+}
+
+TEST(LoftUntidy, ATieLineOverARowIsToldWithItsDistanceFromTheSurface) {
+  auto sections = row(
+      4, 1000.0, 600.0, [](double, double) { return 0.0; }, 10);
+  sections.push_back(section("tie", {{500.0, -50.0}, {500.0, 650.0}}));
+  // It ties, and rises by 8 m between the second and the third.
+  add(sections.back(), "top", {{{0.0, 0.0}, {250.0, 0.0}, {350.0, 8.0}, {450.0, 0.0}, {700.0, 0.0}}, false});
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  const auto* told = finding(made.findings, "left_out");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("'tie' is up to 8 m"), std::string::npos) << told->message;
+}
+
+TEST(LoftUntidy, ThreeCurvesThatDoNotMeetAreRefusedWithTheGap) {
+  const auto line = [](geom::Point3 a, geom::Point3 b) { return surf::Curve::line(a, b).value(); };
+  const auto made = surf::TriangularPatch::make(line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0.25}, {0, 1, 0}),
+                                                line({0, 1, 0}, {0, 0, 0}));
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().message.find("0.25"), std::string::npos) << made.error().message;
+}
+
+TEST(LoftNetwork, FourSectionsRoundASquareGiveACoonsPatchOnTheirLines) {
+  const auto made = through(square(wavy));
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  ASSERT_EQ(made.surfaces[0].patches.size(), 1u);
+  EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 1e6, 1e-3);
+  for (const auto& s : made.sections) {
+    const auto cut = loft::cut_along(made.surfaces, s.trace, made.size);
+    ASSERT_EQ(cut.lines.size(), 1u) << s.name;
+    EXPECT_LT(away(cut.lines[0].line, s.lines[0].line), 1e-9 * made.size) << s.name;
+    EXPECT_NEAR(cut.lines[0].line.points.back().x - cut.lines[0].line.points.front().x, 1000.0, 1e-6);
+  }
+}
+
+TEST(LoftNetwork, ThreeSectionsGiveATriangularPatchOnTheirLines) {
+  std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {1000.0, 0.0}}),
+                                      section("b", {{1000.0, 0.0}, {400.0, 800.0}}),
+                                      section("c", {{400.0, 800.0}, {0.0, 0.0}})};
+  for (auto& s : sections) add(s, "top", sampled(s, wavy, 30));
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 1u);
+  EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 400'000.0, 4.0);  // Gauss's rule over kinks
+  for (const auto& s : made.sections) {
+    const auto cut = loft::cut_along(made.surfaces, s.trace, made.size);
+    ASSERT_EQ(cut.lines.size(), 1u) << s.name;
+    EXPECT_LT(away(cut.lines[0].line, s.lines[0].line), 1e-9 * made.size) << s.name;
+    EXPECT_LT(away(s.lines[0].line, cut.lines[0].line), 1e-9 * made.size) << s.name;
+  }
+}
+
+TEST(LoftNetwork, APlaneIsAPlaneWhateverTheSectionsAre) {
+  const auto plane = [](double x, double y) { return 0.3 * x - 0.2 * y + 7.0; };
+  for (const auto& made : {through(square(plane, 3)), through(row(5, 1000.0, 800.0, plane, 7))}) {
+    ASSERT_EQ(made.surfaces.size(), 1u);
+    for (const auto& patch : made.surfaces[0].patches) {
+      for (const auto p : patch.points) EXPECT_NEAR(p.z, plane(p.x, p.y), 1e-9);
+    }
+    const auto measured = loft::measures(made.surfaces[0]);
+    EXPECT_NEAR(measured.area, measured.plan * std::sqrt(1.0 + 0.09 + 0.04), 1e-5);
+    EXPECT_NEAR(measured.dip_mean.degrees(), std::atan(std::sqrt(0.13)) * 57.29577951308232, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace dobra::test
