@@ -79,31 +79,38 @@ double greatest_bend(const surf::Jet& jet) {
   return k ? std::max(std::abs(k->least), std::abs(k->greatest)) : 0.0;
 }
 
-/// The size that the bend of curve and surface allows at a place.
-double allowed_by_bend(const EdgeInSpace& edge, double s, const SizeOptions& sizes) {
+/// Of curve and surface at a place.
+double bend_at(const EdgeInSpace& edge, double s) {
   double bend = greatest_bend(edge.surface().jet(edge.place(s)));
   const EdgeInSpace::Jet c = edge.jet(s);
   const double speed = geom::length(c.first);
   if (speed > 0.0) bend = std::max(bend, geom::length(cross(c.first, c.second)) / (speed * speed * speed));
-  return allowed_by(bend, sizes);
+  return bend;
 }
 
 /// What is wanted along an edge at a parameter: by its bend and the surface's, by a formula, and by the bends of the
-/// surface beside it, from which sizes grow.
+/// surface beside it, from which sizes grow. No bend counts as sharper than one whose radius is one point.
 class Wishes {
  public:
   Wishes(const BorderEdge& edge, const SizeOptions& sizes, double largest)
-      : space_(edge.space), both_sides_(edge.line.has_value()), sizes_(sizes), largest_(largest) {}
+      : space_(edge.space),
+        both_sides_(edge.line.has_value()),
+        sizes_(sizes),
+        largest_(largest),
+        most_bend_(1.0 / std::min(edge.tolerance, finest_bend * largest)) {}
 
   [[nodiscard]] double at(double s) const {
-    const double own =
-        std::min({largest_, allowed_by_bend(space_, s, sizes_), sizes_.wanted_at(space_.place(s), space_.at(s))});
+    const double by_bend = allowed(bend_at(space_, s));
+    const double own = std::min({largest_, by_bend, sizes_.wanted_at(space_.place(s), space_.at(s))});
     double size = beside(s, own, 1.0);
     if (both_sides_) size = std::min(size, beside(s, own, -1.0));
     return std::max(size, sizes_.least);
   }
 
  private:
+  [[nodiscard]] double allowed(double bend) const {
+    return allowed_by(std::isfinite(bend) ? std::min(bend, most_bend_) : bend, sizes_);
+  }
   /// @param side  1: to the left, where the face is
   [[nodiscard]] double beside(double s, double own, double side) const {
     constexpr std::array steps{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};  // of the size
@@ -122,7 +129,8 @@ class Wishes {
       const Point there = uv + step * own * way;
       if (!surface.chart().contains(there)) break;
       const surf::Jet inside = surface.jet(there);
-      const double wanted = std::min(allowed_by(greatest_bend(inside), sizes_), sizes_.wanted_at(there, inside.at));
+      const double by_bend = allowed(greatest_bend(inside));
+      const double wanted = std::min(by_bend, sizes_.wanted_at(there, inside.at));
       size = std::min(size, wanted + (sizes_.growth - 1.0) * step * own);
     }
     return size;
@@ -130,8 +138,11 @@ class Wishes {
 
   const EdgeInSpace& space_;
   const bool both_sides_;
+  static constexpr double finest_bend = 1e-4;  ///< Its radius, of the largest size, where the tolerance is great.
+
   const SizeOptions& sizes_;
   const double largest_;
+  const double most_bend_;  ///< 1/m
 };
 
 /// Samples a quarter of the largest size apart; between two of them more, while they are farther apart than their size.

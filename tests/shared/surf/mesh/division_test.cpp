@@ -312,6 +312,25 @@ TEST(Division, ALineThatEndsOnALoopHasANodeThere) {
   EXPECT_TRUE(test::delaunay_face(input).at.size() >= input.at.size());
 }
 
+/// Its end lies nearer to the loop than the tolerance, on the other side of which the line goes 1.4 times as far.
+TEST(Division, ALineThatIsOnePointWithinTheToleranceGetsNoNodes) {
+  TrimmedSurface face{.surface = flat(10, 10), .loops = {polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}})}};
+  face.loops.push_back({{backwards(circle({5, 5}, 2.0, "hole"))}});
+  const Division without = divided({&face, 1}, with(1, 25));
+  constexpr double stub = 1.7e-5;
+  const Point out = Point{5, 5} + 2.0 * geom::Vector{std::sqrt(0.5), std::sqrt(0.5)};
+  const auto with_line_to = [&](Point end) {
+    TrimmedSurface cut = face;
+    cut.lines.push_back({{straight(out, end, "line")}, ChartLine::Kind::Constraint});
+    return divided({&cut, 1}, with(1, 25));
+  };
+  const Division none = with_line_to(out + stub * geom::Vector{1, 0});
+  EXPECT_EQ(count_of(none.faces[0], "line"), 0u);
+  EXPECT_LE(none.nodes, without.nodes + 1);  // one where the line meets the hole
+  EXPECT_TRUE(test::delaunay_face(none.faces[0]).at.size() >= none.faces[0].at.size());
+  EXPECT_EQ(count_of(with_line_to(out + 10.0 * stub * geom::Vector{1, 0}).faces[0], "line"), 1u);
+}
+
 TEST(Division, LinesThatCrossHaveANodeThere) {
   TrimmedSurface face{.surface = flat(10, 5), .loops = {polygon({{0, 0}, {10, 0}, {10, 5}, {0, 5}})}};
   face.lines.push_back({{straight({1, 1}, {9, 4})}, ChartLine::Kind::Constraint});
