@@ -143,6 +143,24 @@ TEST(Division, TheBendOfTheSurfaceAcrossALineCounts) {
   EXPECT_EQ(count_of(division.faces[0], "left"), 8u);  // 2 / 0.2618 = 7.6
 }
 
+/// A cone with half a right angle to its axis is cut off so far from its apex. One point is 1e-6 of 11 m here, and 15
+/// degrees of a circle are 0.26 of its radius.
+TEST(Division, NoBendCountsAsSharperThanOnePoint) {
+  const auto shortest_from = [](double low) {
+    const TrimmedSurface face{.surface = *Surface::cone({}, 0.0, 0.25 * pi, {{0, low}, {1.5, 8}})};
+    const Division division = divided({&face, 1}, with(1, 15));
+    double shortest = 1.0;
+    for (const auto& edge : division.faces[0].chart.edges) {
+      if (division.faces[0].chart.sets[edge.set].name == "left")
+        shortest = std::min(shortest, test::side_in_space(division.faces[0], edge));
+    }
+    return shortest;
+  };
+  EXPECT_GT(shortest_from(1e-8), 1e-6);
+  EXPECT_LT(shortest_from(1e-8), 1e-5);
+  EXPECT_LT(shortest_from(1e-3), 0.5e-3);
+}
+
 TEST(Division, TheChordCounts) {
   DivisionOptions options = with(10, 90);
   options.sizes.chord = 0.01;
