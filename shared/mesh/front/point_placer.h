@@ -67,6 +67,8 @@ class PointPlacer final : public FillEngine {
   void update_star(Kernel::Vertex v);
   void give_up(Kernel::Cell c);
   bool try_circumcentres();
+  [[nodiscard]] std::ptrdiff_t count(State state) const { return std::count(state_.begin(), state_.end(), state); }
+  [[nodiscard]] bool is_hopeless() const;
   [[nodiscard]] bool gets_worse();
   bool halve(Kernel::Cell c);
   void split_turned();
@@ -340,11 +342,19 @@ bool PointPlacer<Space>::try_circumcentres() {
   return inserted_ > before;
 }
 
+/// Whether far more cells are given up than accepted, of many: there the surface folds over itself.
+template <class Space>
+bool PointPlacer<Space>::is_hopeless() const {
+  if constexpr (!Space::curved) return false;
+  constexpr std::ptrdiff_t many = 20'000;
+  const std::ptrdiff_t given_up = count(State::GivenUp);
+  return given_up > many && given_up > 2 * count(State::Accepted);
+}
+
 /// Whether the last round of circumcentres gave up more cells than were accepted in it.
 template <class Space>
 bool PointPlacer<Space>::gets_worse() {
   if constexpr (!Space::curved) return false;
-  const auto count = [&](State state) { return std::count(state_.begin(), state_.end(), state); };
   const std::array before = std::exchange(counts_, {count(State::Accepted), count(State::GivenUp)});
   return rounds_ > 0 && counts_[1] - before[1] > counts_[0] - before[0];
 }
@@ -354,6 +364,10 @@ base::Result<void> PointPlacer<Space>::step(std::size_t count, const base::Progr
   DOBRA_TRY_VOID(progress.check());
   progress.report(1.0 - 1.0 / (1.0 + 1e-5 * static_cast<double>(inserted_)),
                   fmt::format("{} points placed", inserted_));
+  if (is_hopeless()) {
+    done_ = true;  // whoever asked for the mesh finds that it folds
+    return {};
+  }
   for (; count > 0 && !queue_.empty(); --count) {
     const Entry entry = queue_.top();
     queue_.pop();
@@ -361,7 +375,7 @@ base::Result<void> PointPlacer<Space>::step(std::size_t count, const base::Progr
     if (!advance(entry.cell)) give_up(entry.cell);
     DOBRA_TRY_VOID(check_limit(kernel_.cell_count(), options_));
     if (static_cast<double>(kernel_.cell_count()) > most_cells_) {
-      done_ = true;  // they fold: whoever asked for the mesh finds it so
+      done_ = true;  // as above
       return {};
     }
   }
