@@ -41,7 +41,8 @@ class GapFiller final : public FillEngine {
   void collect();
   std::vector<std::uint32_t> crossed() const;
   std::vector<std::uint32_t> flood();
-  [[nodiscard]] std::vector<std::uint32_t> beside_covered() const;
+  [[nodiscard]] std::vector<Kernel::Vertex> covered() const;
+  [[nodiscard]] std::vector<std::uint32_t> nearest_to(const std::vector<Kernel::Vertex>& nodes) const;
   void copy();
   [[nodiscard]] Kernel::Half half_of_side(std::size_t s) const {
     const Kernel::Vertex from = gaps_.vertex_of_point[input_.edges[s].nodes[0].index()];
@@ -173,9 +174,9 @@ std::vector<std::uint32_t> GapFiller<Space>::flood() {
   return wrong;
 }
 
-/// The sides nearest to loose nodes that neither a triangle of the front has nor a gap: the front went over them.
+/// Loose nodes that neither a triangle of the front has nor a gap: the front went over them.
 template <class Space>
-std::vector<std::uint32_t> GapFiller<Space>::beside_covered() const {
+std::vector<delaunay::DelaunayKernel::Vertex> GapFiller<Space>::covered() const {
   std::vector<std::uint8_t> held(kernel_.vertex_count(), 0);
   const auto hold = [&](const Kernel& kernel, const auto& number_of) {
     for (Kernel::Cell c = 0; c < kernel.cell_count(); ++c) {
@@ -183,21 +184,32 @@ std::vector<std::uint32_t> GapFiller<Space>::beside_covered() const {
       for (const Kernel::Vertex v : kernel.cell(c).vertex) held[number_of(v)] = 1;
     }
   };
-  std::vector<Kernel::Vertex> global(gaps_.kernel.vertex_count(), 0);
-  for (std::size_t p = 0; p < global_point_.size(); ++p) global[gaps_.vertex_of_point[p]] = global_point_[p];
   hold(kernel_, [](Kernel::Vertex v) { return v; });
-  hold(gaps_.kernel, [&](Kernel::Vertex v) { return global[v]; });
-  std::vector<std::uint32_t> nearest_sides;
+  if (!sides_.empty()) {
+    std::vector<Kernel::Vertex> global(gaps_.kernel.vertex_count(), 0);
+    for (std::size_t p = 0; p < global_point_.size(); ++p) global[gaps_.vertex_of_point[p]] = global_point_[p];
+    hold(gaps_.kernel, [&](Kernel::Vertex v) { return global[v]; });
+  }
+  std::vector<Kernel::Vertex> nodes;
   for (const Kernel::Vertex v : front_.loose) {
-    if (held[v] != 0) continue;
+    if (held[v] == 0) nodes.push_back(v);
+  }
+  return nodes;
+}
+
+/// The sides nearest to nodes.
+template <class Space>
+std::vector<std::uint32_t> GapFiller<Space>::nearest_to(const std::vector<Kernel::Vertex>& nodes) const {
+  std::vector<std::uint32_t> nearest;
+  for (const Kernel::Vertex v : nodes) {
     const auto distance = [&](const GapSide& side) {
       return geom::distance(geom::Segment{kernel_.point(side.from), kernel_.point(side.to)}, kernel_.point(v));
     };
-    const auto nearest = std::min_element(
-        sides_.begin(), sides_.end(), [&](const GapSide& a, const GapSide& b) { return distance(a) < distance(b); });
-    nearest_sides.push_back(static_cast<std::uint32_t>(nearest - sides_.begin()));
+    const auto found = std::min_element(sides_.begin(), sides_.end(),
+                                        [&](const GapSide& a, const GapSide& b) { return distance(a) < distance(b); });
+    nearest.push_back(static_cast<std::uint32_t>(found - sides_.begin()));
   }
-  return nearest_sides;
+  return nearest;
 }
 
 /// Steps 1 to 3.
@@ -205,14 +217,18 @@ template <class Space>
 base::Result<void> GapFiller<Space>::triangulate(const base::Progress& progress) {
   for (int layers = 1;; layers *= 2) {
     collect();
-    if (sides_.empty()) return enter_space();
+    if (sides_.empty()) {
+      if (!covered().empty()) return front_crossed();
+      global_point_.clear();  // nodes of the front
+      return enter_space();
+    }
     auto gaps = build_domain(input_, delaunay::Outside::KeepHull, progress);
     if (!gaps && gaps.error().code == base::ErrorCode::Cancelled) return gaps.error();
     std::vector<std::uint32_t> wrong;
     if (gaps && gaps->kernel.vertex_count() == input_.points.size()) {
       gaps_ = std::move(*gaps);
       wrong = flood();
-      if (wrong.empty()) wrong = beside_covered();
+      if (wrong.empty()) wrong = nearest_to(covered());
       if (wrong.empty()) return enter_space();
     } else {
       wrong = crossed();
