@@ -14,7 +14,8 @@
 #include "shared/mesh/front/retreat.h"
 
 // 1. The sides that stand, and loose nodes, as the input of a constrained Delaunay triangulation: local numbers.
-// 2. Flood from the left of every side: the gaps. A cell of a gap must end at sides that look into it.
+// 2. Flood from the left of every side: the gaps. A cell of a gap must end at sides that look into it, and every loose
+//    node be in a gap or in a triangle of the front.
 // 3. Where 1 or 2 fail, the triangles behind the sides to blame are removed: one layer the first time, then two, four,
 //    and so on. What they leave are sides again. Back to 1.
 // 4. Interior points. 5. Copy the cells, join them to what lies behind the sides.
@@ -40,6 +41,8 @@ class GapFiller final : public FillEngine {
   void collect();
   std::vector<std::uint32_t> crossed() const;
   std::vector<std::uint32_t> flood();
+  [[nodiscard]] std::vector<Kernel::Vertex> covered() const;
+  [[nodiscard]] std::vector<std::uint32_t> nearest_to(const std::vector<Kernel::Vertex>& nodes) const;
   void copy();
   [[nodiscard]] Kernel::Half half_of_side(std::size_t s) const {
     const Kernel::Vertex from = gaps_.vertex_of_point[input_.edges[s].nodes[0].index()];
@@ -171,18 +174,61 @@ std::vector<std::uint32_t> GapFiller<Space>::flood() {
   return wrong;
 }
 
+/// Loose nodes that neither a triangle of the front has nor a gap: the front went over them.
+template <class Space>
+std::vector<delaunay::DelaunayKernel::Vertex> GapFiller<Space>::covered() const {
+  std::vector<std::uint8_t> held(kernel_.vertex_count(), 0);
+  const auto hold = [&](const Kernel& kernel, const auto& number_of) {
+    for (Kernel::Cell c = 0; c < kernel.cell_count(); ++c) {
+      if (kernel.cell(c).region < 0) continue;
+      for (const Kernel::Vertex v : kernel.cell(c).vertex) held[number_of(v)] = 1;
+    }
+  };
+  hold(kernel_, [](Kernel::Vertex v) { return v; });
+  if (!sides_.empty()) {
+    std::vector<Kernel::Vertex> global(gaps_.kernel.vertex_count(), 0);
+    for (std::size_t p = 0; p < global_point_.size(); ++p) global[gaps_.vertex_of_point[p]] = global_point_[p];
+    hold(gaps_.kernel, [&](Kernel::Vertex v) { return global[v]; });
+  }
+  std::vector<Kernel::Vertex> nodes;
+  for (const Kernel::Vertex v : front_.loose) {
+    if (held[v] == 0) nodes.push_back(v);
+  }
+  return nodes;
+}
+
+/// The sides nearest to nodes.
+template <class Space>
+std::vector<std::uint32_t> GapFiller<Space>::nearest_to(const std::vector<Kernel::Vertex>& nodes) const {
+  std::vector<std::uint32_t> nearest;
+  for (const Kernel::Vertex v : nodes) {
+    const auto distance = [&](const GapSide& side) {
+      return geom::distance(geom::Segment{kernel_.point(side.from), kernel_.point(side.to)}, kernel_.point(v));
+    };
+    const auto found = std::min_element(sides_.begin(), sides_.end(),
+                                        [&](const GapSide& a, const GapSide& b) { return distance(a) < distance(b); });
+    nearest.push_back(static_cast<std::uint32_t>(found - sides_.begin()));
+  }
+  return nearest;
+}
+
 /// Steps 1 to 3.
 template <class Space>
 base::Result<void> GapFiller<Space>::triangulate(const base::Progress& progress) {
   for (int layers = 1;; layers *= 2) {
     collect();
-    if (sides_.empty()) return enter_space();
+    if (sides_.empty()) {
+      if (!covered().empty()) return front_crossed();
+      global_point_.clear();  // nodes of the front
+      return enter_space();
+    }
     auto gaps = build_domain(input_, delaunay::Outside::KeepHull, progress);
     if (!gaps && gaps.error().code == base::ErrorCode::Cancelled) return gaps.error();
     std::vector<std::uint32_t> wrong;
     if (gaps && gaps->kernel.vertex_count() == input_.points.size()) {
       gaps_ = std::move(*gaps);
       wrong = flood();
+      if (wrong.empty()) wrong = nearest_to(covered());
       if (wrong.empty()) return enter_space();
     } else {
       wrong = crossed();

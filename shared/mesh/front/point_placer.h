@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "shared/mesh/front/frontal_points.h"
@@ -21,7 +23,7 @@
 // clear
 //    of vertices and marked sides, insert it; rate the cells round it. If no side gives a point, give the cell up.
 // 3. For cells given up that are still too large, try their circumcentre, and on a surface the middle of the longest
-//    side.
+//    side. End when such a round gave up more cells than were accepted in it: there the surface turns too much.
 
 namespace dobra::mesh::front {
 
@@ -65,6 +67,9 @@ class PointPlacer final : public FillEngine {
   void update_star(Kernel::Vertex v);
   void give_up(Kernel::Cell c);
   bool try_circumcentres();
+  [[nodiscard]] std::ptrdiff_t count(State state) const { return std::count(state_.begin(), state_.end(), state); }
+  [[nodiscard]] bool is_hopeless() const;
+  [[nodiscard]] bool gets_worse();
   bool halve(Kernel::Cell c);
   void split_turned();
 
@@ -82,6 +87,7 @@ class PointPlacer final : public FillEngine {
   std::size_t inserted_ = 0;
   double most_cells_ = std::numeric_limits<double>::infinity();  ///< Beyond it the cells do not get better any more.
   int rounds_ = 0;                                               ///< Of circumcentres tried.
+  std::array<std::ptrdiff_t, 2> counts_{};                       ///< Accepted and given up before the last of them.
   bool done_ = false;
 };
 
@@ -336,11 +342,32 @@ bool PointPlacer<Space>::try_circumcentres() {
   return inserted_ > before;
 }
 
+/// Whether far more cells are given up than accepted, of many: there the surface folds over itself.
+template <class Space>
+bool PointPlacer<Space>::is_hopeless() const {
+  if constexpr (!Space::curved) return false;
+  constexpr std::ptrdiff_t many = 20'000;
+  const std::ptrdiff_t given_up = count(State::GivenUp);
+  return given_up > many && given_up > 2 * count(State::Accepted);
+}
+
+/// Whether the last round of circumcentres gave up more cells than were accepted in it.
+template <class Space>
+bool PointPlacer<Space>::gets_worse() {
+  if constexpr (!Space::curved) return false;
+  const std::array before = std::exchange(counts_, {count(State::Accepted), count(State::GivenUp)});
+  return rounds_ > 0 && counts_[1] - before[1] > counts_[0] - before[0];
+}
+
 template <class Space>
 base::Result<void> PointPlacer<Space>::step(std::size_t count, const base::Progress& progress) {
   DOBRA_TRY_VOID(progress.check());
   progress.report(1.0 - 1.0 / (1.0 + 1e-5 * static_cast<double>(inserted_)),
                   fmt::format("{} points placed", inserted_));
+  if (is_hopeless()) {
+    done_ = true;  // whoever asked for the mesh finds that it folds
+    return {};
+  }
   for (; count > 0 && !queue_.empty(); --count) {
     const Entry entry = queue_.top();
     queue_.pop();
@@ -348,12 +375,15 @@ base::Result<void> PointPlacer<Space>::step(std::size_t count, const base::Progr
     if (!advance(entry.cell)) give_up(entry.cell);
     DOBRA_TRY_VOID(check_limit(kernel_.cell_count(), options_));
     if (static_cast<double>(kernel_.cell_count()) > most_cells_) {
-      done_ = true;  // they fold: whoever asked for the mesh finds it so
+      done_ = true;  // as above
       return {};
     }
   }
   constexpr int most_rounds = Space::curved ? 32 : 8;
-  if (queue_.empty()) done_ = rounds_++ == most_rounds || !try_circumcentres();
+  if (queue_.empty()) {
+    done_ = gets_worse() || rounds_ == most_rounds || !try_circumcentres();
+    ++rounds_;
+  }
   return {};
 }
 

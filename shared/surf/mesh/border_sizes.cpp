@@ -19,6 +19,20 @@ using geom::Point3;
 using geom::Vector3;
 using trim::TrimmedSurface;
 
+namespace {
+
+bool is_point(const Border& border, const Piece& piece) {
+  const BorderEdge& edge = border.edges[piece.edge];
+  if (edge.point) return true;
+  if (border.node_of[piece.from] != border.node_of[piece.to]) return false;
+  const bool all_of_it = edge.cuts.size() == 2 && edge.cuts[0].vertex == piece.from && !edge.line &&
+                         border.point_of[piece.from] == border.point_of[piece.to];
+  constexpr double there_and_back = 2.0;
+  return !all_of_it && edge.space.length(piece.s0, piece.s1) <= there_and_back * edge.tolerance;
+}
+
+}  // namespace
+
 std::vector<Piece> pieces_of(const Border& border) {
   std::vector<Piece> pieces;
   std::vector<std::size_t> first_of_edge;
@@ -32,6 +46,7 @@ std::vector<Piece> pieces_of(const Border& border) {
                         .from = cuts[i].vertex,
                         .to = cuts[i + 1].vertex,
                         .first = pieces.size()});
+      pieces.back().point = is_point(border, pieces.back());
     }
   }
   for (const SharedGroup& group : border.groups) {
@@ -42,6 +57,7 @@ std::vector<Piece> pieces_of(const Border& border) {
         Piece& piece = pieces[first_of_edge[group[k]] + i];
         piece.first = first_of_edge[group[0]] + (along ? i : count - 1 - i);
         piece.along = along;
+        piece.point = pieces[piece.first].point;
       }
     }
   }
@@ -63,31 +79,38 @@ double greatest_bend(const surf::Jet& jet) {
   return k ? std::max(std::abs(k->least), std::abs(k->greatest)) : 0.0;
 }
 
-/// The size that the bend of curve and surface allows at a place.
-double allowed_by_bend(const EdgeInSpace& edge, double s, const SizeOptions& sizes) {
+/// Of curve and surface at a place.
+double bend_at(const EdgeInSpace& edge, double s) {
   double bend = greatest_bend(edge.surface().jet(edge.place(s)));
   const EdgeInSpace::Jet c = edge.jet(s);
   const double speed = geom::length(c.first);
   if (speed > 0.0) bend = std::max(bend, geom::length(cross(c.first, c.second)) / (speed * speed * speed));
-  return allowed_by(bend, sizes);
+  return bend;
 }
 
 /// What is wanted along an edge at a parameter: by its bend and the surface's, by a formula, and by the bends of the
-/// surface beside it, from which sizes grow.
+/// surface beside it, from which sizes grow. No bend counts as sharper than one whose radius is one point.
 class Wishes {
  public:
   Wishes(const BorderEdge& edge, const SizeOptions& sizes, double largest)
-      : space_(edge.space), both_sides_(edge.line.has_value()), sizes_(sizes), largest_(largest) {}
+      : space_(edge.space),
+        both_sides_(edge.line.has_value()),
+        sizes_(sizes),
+        largest_(largest),
+        most_bend_(1.0 / std::min(edge.tolerance, finest_bend * largest)) {}
 
   [[nodiscard]] double at(double s) const {
-    const double own =
-        std::min({largest_, allowed_by_bend(space_, s, sizes_), sizes_.wanted_at(space_.place(s), space_.at(s))});
+    const double by_bend = allowed(bend_at(space_, s));
+    const double own = std::min({largest_, by_bend, sizes_.wanted_at(space_.place(s), space_.at(s))});
     double size = beside(s, own, 1.0);
     if (both_sides_) size = std::min(size, beside(s, own, -1.0));
     return std::max(size, sizes_.least);
   }
 
  private:
+  [[nodiscard]] double allowed(double bend) const {
+    return allowed_by(std::isfinite(bend) ? std::min(bend, most_bend_) : bend, sizes_);
+  }
   /// @param side  1: to the left, where the face is
   [[nodiscard]] double beside(double s, double own, double side) const {
     constexpr std::array steps{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};  // of the size
@@ -106,7 +129,8 @@ class Wishes {
       const Point there = uv + step * own * way;
       if (!surface.chart().contains(there)) break;
       const surf::Jet inside = surface.jet(there);
-      const double wanted = std::min(allowed_by(greatest_bend(inside), sizes_), sizes_.wanted_at(there, inside.at));
+      const double by_bend = allowed(greatest_bend(inside));
+      const double wanted = std::min(by_bend, sizes_.wanted_at(there, inside.at));
       size = std::min(size, wanted + (sizes_.growth - 1.0) * step * own);
     }
     return size;
@@ -114,8 +138,11 @@ class Wishes {
 
   const EdgeInSpace& space_;
   const bool both_sides_;
+  static constexpr double finest_bend = 1e-4;  ///< Its radius, of the largest size, where the tolerance is great.
+
   const SizeOptions& sizes_;
   const double largest_;
+  const double most_bend_;  ///< 1/m
 };
 
 /// Samples a quarter of the largest size apart; between two of them more, while they are farther apart than their size.
@@ -368,7 +395,7 @@ std::vector<Profile> sizes_along(const Border& border, const std::vector<Piece>&
   std::vector<std::vector<std::size_t>> of_face(surfaces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const BorderEdge& edge = border.edges[pieces[p].edge];
-    if (edge.point) continue;
+    if (pieces[p].point) continue;
     profiles[p] = wishes_of(edge, pieces[p], sizes, largest[edge.face]);
     of_face[edge.face].push_back(p);
   }

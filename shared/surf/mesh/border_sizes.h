@@ -13,6 +13,8 @@ struct Piece {
   std::size_t from = 0, to = 0;  ///< Vertices.
   std::size_t first = 0;         ///< The piece that is divided for it: the same curve of the first edge of the group.
   bool along = true;             ///< In the direction of that one.
+  /// One point in space: its edge is, or it leads back to its vertex within the tolerance and is not all of a loop.
+  bool point = false;
 };
 
 /// Sizes at places along a piece, ends among them.

@@ -299,6 +299,7 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
     }
     const bool large = best->chart.triangles.size() > options.large;
     if (fewest.grave() == 0 && (fewest.flat == 0 || large)) break;
+    if (fewest.grave() > options.hopeless) break;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }

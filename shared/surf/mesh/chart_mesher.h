@@ -27,6 +27,8 @@ struct ChartMeshOptions {
   /// this, so often, and takes the best.
   int attempts = 2;
   int unfolding = 5;  ///< So often where it folds: then there is no mesh at all.
+  /// But not where more triangles than this fold: then the surface does so itself, at any size.
+  std::size_t hopeless = 200;
   double smaller = 0.93;
   /// Meshes of more triangles have one round before `tidy` and one after it, their nodes rest within twice
   /// `smoothing.least_step`, and mesh_chart does not begin again for flat triangles.

@@ -1,5 +1,7 @@
 #include "shared/surf/mesh/chart_sizes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -167,6 +169,15 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
   return tree;
 }
 
+Error too_small_to_tell(const ScaledChart& chart, Point at, double size) {
+  return {
+      ErrorCode::TooManyElements,
+      fmt::format("the size {:.3g} m asked for here is too small to be told apart in the chart of the face: ask for "
+                  "a greater size, or trim this part of the surface away",
+                  size),
+      trim::place_of(chart.surface(), chart.held(at))};
+}
+
 }  // namespace
 
 double largest_size(const Surface& surface, const SizeOptions& options) {
@@ -235,6 +246,9 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     const auto size = field.corner_sizes(leaf);
     const double mean = 0.25 * (size[0] + size[1] + size[2] + size[3]);
     made.triangles[leaf.index()] = 4.0 / std::numbers::sqrt3 * area * width * height / (mean * mean);
+    constexpr double most_in_last = 4096.0;  // nodes that are sought one by one
+    if (field.quadtree().cell(leaf).level == Quadtree::max_level && made.triangles[leaf.index()] > most_in_last)
+      return too_small_to_tell(chart, cell.centre(), mean);
   }
   return made;
 }

@@ -126,7 +126,7 @@ class Divider {
     profiles_ = sizes_along(border_, pieces_, surfaces_, options_.sizes, largest);
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       if (!is_first(p)) continue;
-      if (edge_of(p).point) {
+      if (pieces_[p].point) {
         parameters_[p] = {pieces_[p].s0, pieces_[p].s1};
         continue;
       }
@@ -157,7 +157,7 @@ class Divider {
       if (!is_first(p)) continue;
       DOBRA_TRY_VOID(progress.check());
       const auto [s0, s1] = std::pair{pieces_[p].s0, pieces_[p].s1};
-      if (edge_of(p).point) {
+      if (pieces_[p].point) {
         parameters_[p] = {s0, s1};
         continue;
       }
@@ -183,7 +183,7 @@ class Divider {
   void divide_again_where_too_few() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> loops;
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      if (!edge_of(p).line && !edge_of(p).point) loops[{edge_of(p).face, edge_of(p).loop}].push_back(p);
+      if (!edge_of(p).line && !pieces_[p].point) loops[{edge_of(p).face, edge_of(p).loop}].push_back(p);
     }
     for (const auto& [loop, members] : loops) {
       std::size_t sides = 0;
@@ -222,7 +222,7 @@ class Divider {
           at_.push_back(space.at(own.s[i]));
         }
       }
-      if (edge_of(p).point) continue;
+      if (pieces_[p].point) continue;
       for (std::size_t i = 0; i + 1 < own.s.size(); ++i) {
         const double middle = 0.5 * (space.travelled(own.s[i]) + space.travelled(own.s[i + 1]));
         division_.middles.emplace(SideEnds(at_[own.node[i]], at_[own.node[i + 1]]),
@@ -312,6 +312,7 @@ class Divider {
       const bool last = i + 1 == own.s.size();
       const std::size_t here = last ? point_at_vertex(input, pieces_[p].to)
                                     : add_point(input, edge_of(p).space.place(own.s[i]), own.node[i]);
+      if (here == before) continue;  // one point of the chart too
       input.chart.edges.push_back({{NodeId(before), NodeId(here)}, set});
       before = here;
     }

@@ -354,6 +354,23 @@ TEST(ChartMesher, SizesThatAreAsGoodAsNoughtAreRefusedWithAPlace) {
   ASSERT_TRUE(made.error().place && made.error().place->u);
 }
 
+TEST(ChartMesher, SizesFarBelowTheLeastCellOfTheTreeAreRefusedWithAPlace) {
+  trim::TrimmedSurface face = whole(*Surface::plane({}, {{0, 0}, {4, 2}}));
+  face.points.push_back({.at = {1.2, 0.7}, .name = "fine"});
+  const auto meshed_with = [&](double size) {
+    face.points[0].size = size;
+    const auto division = divide({&face, 1}, {.sizes = {.largest = 0.5}});
+    return mesh_chart(division->faces[0], {.sizes = {.largest = 0.5}});
+  };
+  EXPECT_TRUE(meshed_with(1e-8));
+  const auto made = meshed_with(1e-11);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::TooManyElements);
+  ASSERT_TRUE(made.error().place && made.error().place->u && made.error().place->v);
+  EXPECT_NEAR(*made.error().place->u, 1.2, 1e-6);
+  EXPECT_NEAR(*made.error().place->v, 0.7, 1e-6);
+}
+
 TEST(ChartMesher, RefusesWhatItCannotDo) {
   const StandIn each = stand_in("7a");
   const auto division = divide({&each.face, 1}, {.sizes = sizes_of(each)});

@@ -143,6 +143,24 @@ TEST(Division, TheBendOfTheSurfaceAcrossALineCounts) {
   EXPECT_EQ(count_of(division.faces[0], "left"), 8u);  // 2 / 0.2618 = 7.6
 }
 
+/// A cone with half a right angle to its axis is cut off so far from its apex. One point is 1e-6 of 11 m here, and 15
+/// degrees of a circle are 0.26 of its radius.
+TEST(Division, NoBendCountsAsSharperThanOnePoint) {
+  const auto shortest_from = [](double low) {
+    const TrimmedSurface face{.surface = *Surface::cone({}, 0.0, 0.25 * pi, {{0, low}, {1.5, 8}})};
+    const Division division = divided({&face, 1}, with(1, 15));
+    double shortest = 1.0;
+    for (const auto& edge : division.faces[0].chart.edges) {
+      if (division.faces[0].chart.sets[edge.set].name == "left")
+        shortest = std::min(shortest, test::side_in_space(division.faces[0], edge));
+    }
+    return shortest;
+  };
+  EXPECT_GT(shortest_from(1e-8), 1e-6);
+  EXPECT_LT(shortest_from(1e-8), 1e-5);
+  EXPECT_LT(shortest_from(1e-3), 0.5e-3);
+}
+
 TEST(Division, TheChordCounts) {
   DivisionOptions options = with(10, 90);
   options.sizes.chord = 0.01;
@@ -310,6 +328,25 @@ TEST(Division, ALineThatEndsOnALoopHasANodeThere) {
   }
   EXPECT_EQ(count_of(input, "fault"), 5u);
   EXPECT_TRUE(test::delaunay_face(input).at.size() >= input.at.size());
+}
+
+/// Its end lies nearer to the loop than the tolerance, on the other side of which the line goes 1.4 times as far.
+TEST(Division, ALineThatIsOnePointWithinTheToleranceGetsNoNodes) {
+  TrimmedSurface face{.surface = flat(10, 10), .loops = {polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}})}};
+  face.loops.push_back({{backwards(circle({5, 5}, 2.0, "hole"))}});
+  const Division without = divided({&face, 1}, with(1, 25));
+  constexpr double stub = 1.7e-5;
+  const Point out = Point{5, 5} + 2.0 * geom::Vector{std::sqrt(0.5), std::sqrt(0.5)};
+  const auto with_line_to = [&](Point end) {
+    TrimmedSurface cut = face;
+    cut.lines.push_back({{straight(out, end, "line")}, ChartLine::Kind::Constraint});
+    return divided({&cut, 1}, with(1, 25));
+  };
+  const Division none = with_line_to(out + stub * geom::Vector{1, 0});
+  EXPECT_EQ(count_of(none.faces[0], "line"), 0u);
+  EXPECT_LE(none.nodes, without.nodes + 1);  // one where the line meets the hole
+  EXPECT_TRUE(test::delaunay_face(none.faces[0]).at.size() >= none.faces[0].at.size());
+  EXPECT_EQ(count_of(with_line_to(out + 10.0 * stub * geom::Vector{1, 0}).faces[0], "line"), 1u);
 }
 
 TEST(Division, LinesThatCrossHaveANodeThere) {

@@ -559,5 +559,12 @@ TEST(RandomPatches, SeamsThatAHoleTouchesStayClosed) {
   EXPECT_EQ(tally.meshed, 3);
 }
 
+/// The front goes over a point that was given alone, and takes the triangles back that cover it.
+TEST(RandomPatches, APointThatTheFrontWentOverIsANode) {
+  Tally tally;
+  for (const int seed : {2231, 2702}) try_case(seed, false, tally);
+  EXPECT_EQ(tally.meshed, 2);
+}
+
 }  // namespace
 }  // namespace dobra::surf::mesh::random_patches
