@@ -130,7 +130,7 @@ class Tidier {
     if (!space_.turns_left(kernel_.point(a), kernel_.point(d), kernel_.point(c)) ||
         !space_.turns_left(kernel_.point(d), kernel_.point(b), kernel_.point(c)))
       return false;
-    gather({a, b, c, d});
+    if (!gather({a, b, c, d})) return false;
     const Star now = star();
     kernel_.flip(e);
     Star then;
@@ -151,16 +151,20 @@ class Tidier {
     return false;
   }
 
-  void gather(const std::array<Vertex, 4>& seeds) {
+  /// The nodes that a flip moves, and their triangles. @return whether these are few enough to be worth it
+  bool gather(const std::array<Vertex, 4>& seeds) {
     ++visit_;
     nodes_.clear();
     cells_.clear();
+    std::uint32_t triangles = 0;
     const auto add = [&](Vertex v) {
       if (vertex_seen_[v] == visit_ || fixed_[v] != 0) return;
       vertex_seen_[v] = visit_;
       nodes_.push_back(v);
+      triangles += degree_[v];
     };
     for (const Vertex v : seeds) add(v);
+    if (triangles > options_.most_around) return false;
     const std::size_t inner = nodes_.size();
     for (std::size_t k = 0; k < inner; ++k) {
       const Half first = kernel_.half_of(nodes_[k]);
@@ -170,6 +174,7 @@ class Tidier {
         e = kernel_.around(e);
       } while (e != first);
     }
+    if (triangles > options_.most_around) return false;
     for (const Vertex v : nodes_) {
       const Half first = kernel_.half_of(v);
       Half e = first;
@@ -184,6 +189,7 @@ class Tidier {
     }
     given_.clear();
     for (const Vertex v : nodes_) given_.push_back(space_.place(v));
+    return true;
   }
 
   [[nodiscard]] Star star() const {

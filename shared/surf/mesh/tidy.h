@@ -13,10 +13,11 @@
 namespace dobra::surf::mesh {
 
 struct TidyOptions {
-  int rounds = 3;             ///< Over all nodes that have not six neighbours.
-  int sweeps = 3;             ///< Of the nodes around, before a flip is judged.
-  double least_gain = 0.005;  ///< Of the sum of all alphas around.
-  double spared = 0.8;        ///< No triangle comes below the worst that was there, or below this.
+  int rounds = 3;                   ///< Over all nodes that have not six neighbours.
+  int sweeps = 3;                   ///< Of the nodes around, before a flip is judged.
+  double least_gain = 0.005;        ///< Of the sum of all alphas around.
+  std::uint32_t most_around = 600;  ///< Triangles of all nodes that a flip moves, each counted for each node.
+  double spared = 0.8;              ///< No triangle comes below the worst that was there, or below this.
 };
 
 /// @param fixed  one flag a vertex: nodes that stay.
