@@ -166,10 +166,15 @@ Result<SurfaceMesh> opened(SurfaceMesh mesh, const std::vector<std::string>& cra
 
 }  // namespace
 
+Result<SurfaceMesh> join(std::span<const TrimmedSurface> surfaces, const Division& division,
+                         std::span<const FaceMesh> faces) {
+  DOBRA_CHECK(surfaces.size() == division.faces.size() && faces.size() == division.faces.size());
+  return Joiner(surfaces, division, faces).run();
+}
+
 Result<SurfaceMesh> assemble(std::span<const TrimmedSurface> surfaces, const Division& division,
                              std::span<const FaceMesh> faces) {
-  DOBRA_CHECK(surfaces.size() == division.faces.size() && faces.size() == division.faces.size());
-  DOBRA_TRY(SurfaceMesh mesh, Joiner(surfaces, division, faces).run());
+  DOBRA_TRY(SurfaceMesh mesh, join(surfaces, division, faces));
   DOBRA_TRY_VOID(check(mesh));
   if (division.cracks.empty()) return mesh;
   return opened(std::move(mesh), division.cracks);

@@ -33,6 +33,11 @@ struct FaceMesh {
 base::Result<SurfaceMesh> assemble(std::span<const trim::TrimmedSurface> surfaces, const Division& division,
                                    std::span<const FaceMesh> faces);
 
+/// That, without a look at the mesh and without opening cracks: for those who mend it first.
+/// @error CannotMesh: a mesh that does not begin with the points of its input
+base::Result<SurfaceMesh> join(std::span<const trim::TrimmedSurface> surfaces, const Division& division,
+                               std::span<const FaceMesh> faces);
+
 /// @error CannotMesh or NotFinite with the place {x, y, z}: arrays that do not fit, corners that do not exist or are
 ///        not finite, a triangle without area, a side that two triangles of one face use in one direction, or two of
 ///        two faces where there is no third, a set with a side that is none.

@@ -26,7 +26,7 @@ struct ChartInput {
 /// Sizes wanted on a surface: the least of all counts.
 struct SizeOptions {
   double largest = 0.0;  ///< L: no side longer, m; 0 takes a twentieth of the diagonal of the face.
-  double turn = 15.0;    ///< A: most that the normal turns along a side, degrees.
+  double turn = 15.0;    ///< A: most that the normal turns along a side, degrees; 0 does not ask.
   double chord = 0.0;    ///< Most that a side (a triangle) may be off the surface, m; 0 does not ask.
   double growth = 1.17;  ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double narrow = 1.0;   ///< Elements across narrow places; 0: sides as long as elsewhere.

@@ -303,7 +303,7 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }
-  if (fewest.grave() == 0) return *std::move(best);
+  if (fewest.grave() == 0 || options.keep_folds) return *std::move(best);
   const geom::Point3 p = input.surface.at(fewest.first);
   return Error{ErrorCode::CannotMesh,
                fewest.folded > 0 ? "the mesh folds over itself here: use another size, or smaller ones"

@@ -32,7 +32,8 @@ Result<void> validate(std::span<const dobra::mesh::delaunay::SizeRequest> reques
   if (!(options.growth > 1.0) || !std::isfinite(options.growth))
     return wrong("growth must be greater than 1: it is the ratio of neighbouring sizes");
   if (!(options.largest >= 0.0)) return wrong("largest must be positive, or 0 for a twentieth of the face");
-  if (!(options.turn > 0.0 && options.turn <= 180.0)) return wrong("turn must be an angle between 0 and 180 degrees");
+  if (!(options.turn >= 0.0 && options.turn <= 180.0))
+    return wrong("turn must be an angle up to 180 degrees, or 0 for none");
   if (!(options.chord >= 0.0)) return wrong("chord must be positive, or 0 for none");
   if (!(options.least >= 0.0)) return wrong("least must be positive, or 0 for none");
   for (const auto& request : requests) {
@@ -186,11 +187,12 @@ double largest_size(const Surface& surface, const SizeOptions& options) {
 
 double size_by_shape(const Jet& jet, const SizeOptions& options) {
   constexpr double none = std::numeric_limits<double>::infinity();
+  if (!(options.turn > 0.0) && !(options.chord > 0.0)) return none;
   const auto bent = curvature(jet);
   if (!bent) return none;
   const double most = std::max(std::abs(bent->least), std::abs(bent->greatest));
   if (!(most > 0.0)) return none;
-  double size = 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / most;
+  double size = options.turn > 0.0 ? 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / most : none;
   // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
   constexpr double longer = 1.6;
   if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / most) / longer);

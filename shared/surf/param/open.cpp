@@ -84,9 +84,9 @@ class Cutter {
         corner_from_(options.corner_from),
         cut_(sheet.twins.size(), false) {}
 
-  Opened run() {
+  std::vector<bool> run() {
     if (!sheet_.disk()) find_cut();
-    return opened();
+    return std::move(cut_);
   }
 
  private:
@@ -94,8 +94,6 @@ class Cutter {
     const HalfEdge twin = sheet_.twins[h];
     if (twin == no_half_edge || cut_[h]) return;
     cut_[h] = cut_[twin] = true;
-    length_ += geom::distance(sheet_.points[sheet_.start(h)], sheet_.points[sheet_.end(h)]);
-    ++sides_;
   }
   void mark_way(const Ways& ways, std::uint32_t v) {
     while (ways.by[v] != no_half_edge) {
@@ -154,59 +152,12 @@ class Cutter {
     }
   }
 
-  /// Corners that are joined over sides without a cut are one point.
-  [[nodiscard]] Opened opened() const {
-    Opened result;
-    const std::size_t corners = sheet_.twins.size();
-    base::DisjointSets same(corners);
-    for (HalfEdge h = 0; h < corners; ++h) {
-      const HalfEdge twin = sheet_.twins[h];
-      if (twin == no_half_edge || cut_[h]) continue;
-      same.join(h, next(twin));
-      same.join(next(h), twin);
-    }
-    // The first corner of a point keeps its number, so that a sheet without cut stays as it is.
-    std::vector<std::uint32_t> number(corners, no_half_edge);
-    std::vector<bool> taken(sheet_.points.size(), false);
-    result.origin.resize(sheet_.points.size());
-    std::iota(result.origin.begin(), result.origin.end(), 0U);
-    std::vector<Point3> points = sheet_.points;
-    std::vector<std::array<std::uint32_t, 3>> triangles(sheet_.triangles.size());
-    for (HalfEdge h = 0; h < corners; ++h) {
-      const std::uint32_t v = sheet_.start(h);
-      std::uint32_t& mine = number[same.root(h)];
-      if (mine == no_half_edge) {
-        mine = v;
-        if (taken[v]) {
-          mine = static_cast<std::uint32_t>(points.size());
-          points.push_back(sheet_.points[v]);
-          result.origin.push_back(v);
-        }
-        taken[v] = true;
-      }
-      triangles[h / 3][h % 3] = mine;
-    }
-    std::vector<HalfEdge> twins = sheet_.twins;
-    result.across.assign(corners, no_half_edge);
-    for (HalfEdge h = 0; h < corners; ++h) {
-      if (cut_[h]) std::swap(result.across[h], twins[h]);
-    }
-    auto connected = connect(std::move(points), std::move(triangles), std::move(twins));
-    DOBRA_CHECK(connected.ok());  // a manifold cut along sides is one
-    result.sheet = std::move(*connected);
-    result.length = length_;
-    result.sides = sides_;
-    return result;
-  }
-
   const Sheet& sheet_;
   const std::vector<bool> folded_;
   const std::vector<double> lengths_;
   const std::vector<bool> corners_;
   const double corner_from_;
   std::vector<bool> cut_;
-  double length_ = 0.0;
-  std::size_t sides_ = 0;
 };
 
 }  // namespace
@@ -285,6 +236,58 @@ std::vector<bool> creases_of(const Sheet& sheet, double degrees) {
   return folded;
 }
 
-Opened open(const Sheet& sheet, const OpenOptions& options) { return Cutter(sheet, options).run(); }
+std::vector<bool> cut_to_disk(const Sheet& sheet, const OpenOptions& options) { return Cutter(sheet, options).run(); }
+
+/// Corners that are joined over sides without a cut are one point.
+Opened open_along(const Sheet& sheet, const std::vector<bool>& cut) {
+  Opened result;
+  const std::size_t corners = sheet.twins.size();
+  base::DisjointSets same(corners);
+  for (HalfEdge h = 0; h < corners; ++h) {
+    const HalfEdge twin = sheet.twins[h];
+    if (twin == no_half_edge || cut[h]) continue;
+    same.join(h, next(twin));
+    same.join(next(h), twin);
+  }
+  // The first corner of a point keeps its number, so that a sheet without cut stays as it is.
+  std::vector<std::uint32_t> number(corners, no_half_edge);
+  std::vector<bool> taken(sheet.points.size(), false);
+  result.origin.resize(sheet.points.size());
+  std::iota(result.origin.begin(), result.origin.end(), 0U);
+  std::vector<Point3> points = sheet.points;
+  std::vector<std::array<std::uint32_t, 3>> triangles(sheet.triangles.size());
+  for (HalfEdge h = 0; h < corners; ++h) {
+    const std::uint32_t v = sheet.start(h);
+    std::uint32_t& mine = number[same.root(h)];
+    if (mine == no_half_edge) {
+      mine = v;
+      if (taken[v]) {
+        mine = static_cast<std::uint32_t>(points.size());
+        points.push_back(sheet.points[v]);
+        result.origin.push_back(v);
+      }
+      taken[v] = true;
+    }
+    triangles[h / 3][h % 3] = mine;
+  }
+  std::vector<HalfEdge> twins = sheet.twins;
+  result.across.assign(corners, no_half_edge);
+  for (HalfEdge h = 0; h < corners; ++h) {
+    if (!cut[h] || twins[h] == no_half_edge) continue;
+    if (h < twins[h]) {
+      result.length += geom::distance(sheet.points[sheet.start(h)], sheet.points[sheet.end(h)]);
+      ++result.sides;
+    }
+  }
+  for (HalfEdge h = 0; h < corners; ++h) {
+    if (cut[h]) std::swap(result.across[h], twins[h]);
+  }
+  auto connected = connect(std::move(points), std::move(triangles), std::move(twins));
+  DOBRA_CHECK(connected.ok());  // a manifold cut along sides is one
+  result.sheet = std::move(*connected);
+  return result;
+}
+
+Opened open(const Sheet& sheet, const OpenOptions& options) { return open_along(sheet, cut_to_disk(sheet, options)); }
 
 }  // namespace dobra::surf::param

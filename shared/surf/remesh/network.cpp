@@ -1,11 +1,15 @@
 #include "shared/surf/remesh/network.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
 #include <utility>
+
+#include "shared/geom/intersect.h"
+#include "shared/geom/spatial_index.h"
 
 namespace dobra::surf::remesh {
 
@@ -22,43 +26,139 @@ namespace {
 /// Half-edges that follow each other, between vertices that stay.
 using Chain = std::vector<HalfEdge>;
 
+/// Lines that are nearer than this part of the size are too near.
+constexpr double narrow = 0.25;
+
+/// Sets of lines.
+enum : std::uint32_t { border_set, crease, cut_crease };
+
 /// A node between the ends of a chain: on which of its half-edges, and at which part of it.
 struct Division {
   std::size_t step = 0;
   double part = 0.0;
 };
 
+/// Points in cells of a grid.
+class NearPoints {
+ public:
+  explicit NearPoints(double cell) : cell_(cell) {}
+  void add(Point3 p, std::uint32_t part) { cells_[cell_of(p)].push_back({p, part}); }
+  /// @pre distance is at most a cell
+  [[nodiscard]] bool within(Point3 p, double distance, std::uint32_t part) const {
+    const Cell at = cell_of(p);
+    for (std::int64_t i = -1; i <= 1; ++i) {
+      for (std::int64_t j = -1; j <= 1; ++j) {
+        for (std::int64_t k = -1; k <= 1; ++k) {
+          const auto found = cells_.find({at[0] + i, at[1] + j, at[2] + k});
+          if (found == cells_.end()) continue;
+          for (const auto& [q, of] : found->second) {
+            if (of == part && geom::distance(p, q) < distance) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  [[nodiscard]] Cell cell_of(Point3 p) const {
+    const auto number = [&](double x) { return static_cast<std::int64_t>(std::floor(x / cell_)); };
+    return {number(p.x), number(p.y), number(p.z)};
+  }
+  double cell_;
+  std::map<Cell, std::vector<std::pair<Point3, std::uint32_t>>> cells_;
+};
+
 class Builder {
  public:
-  Builder(const Charted& charted, const std::vector<double>& sizes, double corner, double crease)
-      : opened_(charted.opened),
-        sheet_(charted.opened.sheet),
-        uv_(charted.parametrisation.uv),
+  Builder(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease)
+      : atlas_(atlas),
+        opened_(atlas.opened),
+        sheet_(atlas.opened.sheet),
         sizes_(sizes),
         straightest_(std::cos(corner * std::numbers::pi / 180.0)),
-        stays_(charted.before.points.size(), false) {
-    find_creases(charted.before, crease);
+        out_(sheet_.points.size(), no_half_edge),
+        stays_(atlas.before.points.size(), false) {
+    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
+      if (sheet_.twins[h] == no_half_edge) out_[sheet_.start(h)] = h;
+    }
+    find_creases(atlas.before, crease);
     find_stays();
   }
 
   Network run() {
-    made_.chart.sets = {{"", dobra::mesh::delaunay::EdgeKind::Boundary},
-                        {"crease", dobra::mesh::delaunay::EdgeKind::Constraint}};
-    for (const auto& vertices : sheet_.loops) {
-      for (const Chain& chain : border_chains(vertices)) {
-        add(chain, 0);
-        if (cut_folded_[chain.front()] && chain.front() < opened_.across[chain.back()]) ++made_.cut_creases;
-      }
+    // At most as often as makes a side of each of the sheet's.
+    constexpr int rounds = 8;
+    for (int round = 0;; ++round) {
+      build();
+      if (!divide_more() || round == rounds) break;
     }
-    for (const Chain& chain : crease_chains()) {
-      add(chain, 1);
-      ++made_.creases;
-    }
-    made_.creases += made_.cut_creases;
     return std::move(made_);
   }
 
  private:
+  /// The line, and which of its sides.
+  using SideOfLine = std::pair<HalfEdge, std::ptrdiff_t>;
+
+  void build() {
+    made_ = {};
+    sides_.clear(), point_.clear(), node_of_vertex_.clear(), cut_nodes_.clear(), joined_.clear();
+    made_.parts.resize(atlas_.parts.size());
+    sides_.resize(made_.parts.size());
+    for (Network::Part& part : made_.parts) {
+      part.chart.sets = {{"", dobra::mesh::delaunay::EdgeKind::Boundary},
+                         {"crease", dobra::mesh::delaunay::EdgeKind::Constraint},
+                         {"cut crease", dobra::mesh::delaunay::EdgeKind::Boundary}};
+    }
+    for (const auto& vertices : sheet_.loops) {
+      for (const Chain& chain : border_chains(vertices)) {
+        add(chain, cut_folded_[chain.front()] ? cut_crease : border_set);
+        if (cut_folded_[chain.front()] && chain.front() < opened_.across[chain.back()]) ++made_.cut_creases;
+      }
+    }
+    for (const Chain& chain : crease_chains()) {
+      add(chain, crease);
+      ++made_.creases;
+    }
+    made_.creases += made_.cut_creases;
+  }
+
+  /// Sides that cross are halved. @return there are some
+  bool divide_more() {
+    std::set<SideOfLine> crossing;
+    for (std::size_t p = 0; p < made_.parts.size(); ++p) {
+      const auto& chart = made_.parts[p].chart;
+      std::vector<geom::Box> boxes(chart.edges.size());
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (const NodeId node : chart.edges[i].nodes) boxes[i].add(chart.points[node.index()]);
+      }
+      const auto segment = [&](std::size_t i) {
+        const auto& nodes = chart.edges[i].nodes;
+        return geom::Segment{chart.points[nodes[0].index()], chart.points[nodes[1].index()]};
+      };
+      for (const auto& [i, j] : geom::SpatialIndex(boxes).overlapping_pairs()) {
+        const auto& a = chart.edges[i].nodes;
+        const auto& b = chart.edges[j].nodes;
+        const bool beside = a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
+        const auto meeting = geom::intersect(segment(i), segment(j)).kind;
+        if (meeting == geom::IntersectionKind::None || (beside && meeting != geom::IntersectionKind::Overlap)) continue;
+        crossing.insert({sides_[p][i], sides_[p][j]});
+      }
+    }
+    // From the last side of a line, so that the numbers of those before it stand.
+    for (auto side = crossing.rbegin(); side != crossing.rend(); ++side) {
+      std::vector<double>& ends = ends_[side->first];
+      ends.insert(ends.begin() + side->second + 1, 0.5 * (ends[side->second] + ends[side->second + 1]));
+    }
+    return !crossing.empty();
+  }
+  /// By which a line is known from both sides of a cut.
+  [[nodiscard]] HalfEdge name_of(const Chain& chain) const {
+    const HalfEdge across = opened_.across[chain.back()];
+    return across == no_half_edge ? chain.front() : std::min(chain.front(), across);
+  }
+
   [[nodiscard]] std::uint32_t origin(std::uint32_t v) const { return opened_.origin[v]; }
   [[nodiscard]] Vector3 along(HalfEdge h) const {
     return sheet_.points[sheet_.end(h)] - sheet_.points[sheet_.start(h)];
@@ -84,11 +184,8 @@ class Builder {
 
   /// A loop of the border as half-edges in their order.
   [[nodiscard]] std::vector<HalfEdge> border(const std::vector<std::uint32_t>& vertices) const {
-    std::vector<HalfEdge> out(sheet_.points.size(), no_half_edge), loop;
-    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
-      if (sheet_.twins[h] == no_half_edge) out[sheet_.start(h)] = h;
-    }
-    for (const std::uint32_t v : vertices) loop.push_back(out[v]);
+    std::vector<HalfEdge> loop;
+    for (const std::uint32_t v : vertices) loop.push_back(out_[v]);
     return loop;
   }
 
@@ -119,6 +216,13 @@ class Builder {
     for (std::size_t v = 0; v < folds.size(); ++v) {
       if (folds[v] > 0 && (folds[v] != 2 || on_border[v])) stays_[origin(static_cast<std::uint32_t>(v))] = true;
     }
+    // A loop has two at least. They are chosen before any line is made, as another part may have the same loop.
+    for (const auto& vertices : sheet_.loops) {
+      std::size_t count = 0;
+      for (const std::uint32_t v : vertices) count += stays_[origin(v)] ? 1 : 0;
+      if (count == 0) stays_[origin(vertices[0])] = true;
+      if (count == 0) stays_[origin(vertices[vertices.size() / 2])] = true;
+    }
     // A line that turns sharply keeps its corner.
     std::vector<HalfEdge> first(sheet_.points.size(), no_half_edge);
     for (HalfEdge h = 0; h < folded_.size(); ++h) {
@@ -131,17 +235,12 @@ class Builder {
     }
   }
 
-  /// A loop between vertices that stay; of one without any, two pieces.
+  /// A loop between vertices that stay.
   std::vector<Chain> border_chains(const std::vector<std::uint32_t>& vertices) {
     std::vector<HalfEdge> loop = border(vertices);
     const auto begins = [&](std::size_t i) { return stays_[origin(sheet_.start(loop[i]))]; };
     std::size_t first = 0;
-    while (first < loop.size() && !begins(first)) ++first;
-    if (first == loop.size()) {
-      stays_[origin(sheet_.start(loop[0]))] = true;
-      stays_[origin(sheet_.start(loop[loop.size() / 2]))] = true;
-      first = 0;
-    }
+    while (!begins(first)) ++first;
     std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
     std::vector<Chain> chains;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -179,7 +278,59 @@ class Builder {
       follow(h);
     }
     std::erase_if(chains, [&](const Chain& chain) { return loose(chain); });
+    leave_out_narrow(chains);
     return chains;
+  }
+
+  /// Of two lines with much less than a side between them one is kept: that of the border, or the longer one.
+  void leave_out_narrow(std::vector<Chain>& chains) {
+    const auto length = [&](const Chain& chain) {
+      double sum = 0.0;
+      for (const HalfEdge h : chain) sum += geom::length(along(h));
+      return sum;
+    };
+    std::stable_sort(chains.begin(), chains.end(),
+                     [&](const Chain& a, const Chain& b) { return length(a) > length(b); });
+    NearPoints near(narrow * *std::max_element(sizes_.begin(), sizes_.end()));
+    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
+      if (sheet_.twins[h] == no_half_edge) add_samples({h}, near);
+    }
+    std::erase_if(chains, [&](const Chain& chain) {
+      if (is_narrow(chain, near)) {
+        ++made_.narrow;
+        made_.narrow_at = sheet_.points[sheet_.start(chain.front())];
+        return true;
+      }
+      add_samples(chain, near);
+      return false;
+    });
+  }
+  template <class Visit>
+  void for_each_sample(const Chain& chain, Visit&& visit) const {
+    double before = 0.0;
+    for (const HalfEdge h : chain) {
+      const double side = geom::length(along(h)), size = sizes_[origin(sheet_.start(h))];
+      const double count = std::ceil(2.0 * side / (narrow * size));
+      for (double k = 0.5; k < count; k += 1.0)
+        visit(sheet_.points[sheet_.start(h)] + k / count * along(h), before + k / count * side, size);
+      before += side;
+    }
+  }
+  void add_samples(const Chain& chain, NearPoints& near) const {
+    for_each_sample(chain, [&](Point3 p, double, double) { near.add(p, atlas_.part[sheet_.start(chain[0])]); });
+  }
+  /// Most of it, but for its ends, where other lines begin.
+  [[nodiscard]] bool is_narrow(const Chain& chain, const NearPoints& near) const {
+    constexpr double ends = 0.4;  // of the size
+    double length = 0.0;
+    for (const HalfEdge h : chain) length += geom::length(along(h));
+    std::size_t all = 0, beside = 0;
+    for_each_sample(chain, [&](Point3 p, double from, double size) {
+      if (std::min(from, length - from) < ends * size) return;
+      ++all;
+      if (near.within(p, narrow * size, atlas_.part[sheet_.start(chain[0])])) ++beside;
+    });
+    return 2 * beside > all;
   }
   /// The next half-edge from the same vertex, clockwise.
   [[nodiscard]] HalfEdge turned(HalfEdge h) const {
@@ -203,36 +354,42 @@ class Builder {
     const bool again = !joined_.insert(std::minmax(from, to)).second;
     const double least = from == to ? 3.0 : again ? 2.0 : 1.0;
     const double count = std::max(least, std::round(sum.back()));
+    std::vector<double>& ends = ends_[name_of(chain)];
+    if (ends.empty()) {
+      for (double k = 0.0; k <= count; k += 1.0) ends.push_back(k / count * sum.back());
+    }
     std::vector<Division> made;
     std::size_t step = 0;
-    for (double k = 1.0; k < count; k += 1.0) {
-      const double wanted = k / count * sum.back();
-      while (step + 1 < chain.size() && sum[step + 1] < wanted) ++step;
-      made.push_back({step, (wanted - sum[step]) / (sum[step + 1] - sum[step])});
+    for (std::size_t k = 1; k + 1 < ends.size(); ++k) {
+      while (step + 1 < chain.size() && sum[step + 1] < ends[k]) ++step;
+      made.push_back({step, (ends[k] - sum[step]) / (sum[step + 1] - sum[step])});
     }
     return made;
   }
 
+  [[nodiscard]] Network::Part& part_of(std::uint32_t vertex) { return made_.parts[atlas_.part[vertex]]; }
   std::uint32_t point_of(std::uint32_t vertex) {
-    const auto [found, fresh] = point_.try_emplace(vertex, static_cast<std::uint32_t>(made_.at.size()));
+    Network::Part& part = part_of(vertex);
+    const auto [found, fresh] = point_.try_emplace(vertex, static_cast<std::uint32_t>(part.at.size()));
     if (!fresh) return found->second;
     const auto [node, first] = node_of_vertex_.try_emplace(origin(vertex), made_.nodes);
     if (first) ++made_.nodes;
-    return push(uv_[vertex], sheet_.points[vertex], node->second);
+    return push(part, atlas_.uv[vertex], sheet_.points[vertex], node->second);
   }
-  std::uint32_t push(Point uv, Point3 at, std::uint32_t node) {
-    made_.chart.points.push_back(uv);
-    made_.at.push_back(at);
-    made_.node.push_back(node);
-    return static_cast<std::uint32_t>(made_.at.size() - 1);
+  static std::uint32_t push(Network::Part& part, Point uv, Point3 at, std::uint32_t node) {
+    part.chart.points.push_back(uv);
+    part.at.push_back(at);
+    part.node.push_back(node);
+    return static_cast<std::uint32_t>(part.at.size() - 1);
   }
 
   void add(const Chain& chain, std::uint32_t set) {
-    const HalfEdge across = set == 0 ? opened_.across[chain.front()] : no_half_edge;
+    const HalfEdge across = opened_.across[chain.front()];
     std::vector<Division> between;
     std::vector<std::uint32_t> nodes;
-    if (const auto other = across == no_half_edge ? cut_nodes_.end() : cut_nodes_.find(across);
-        other != cut_nodes_.end()) {
+    const auto other = across == no_half_edge ? cut_nodes_.end() : cut_nodes_.find(across);
+    const bool again = other != cut_nodes_.end();
+    if (again) {
       nodes.assign(other->second.nodes.rbegin(), other->second.nodes.rend());
       for (auto d = other->second.between.rbegin(); d != other->second.between.rend(); ++d)
         between.push_back({chain.size() - 1 - d->step, 1.0 - d->part});
@@ -241,15 +398,22 @@ class Builder {
       for (std::size_t i = 0; i < between.size(); ++i) nodes.push_back(made_.nodes++);
       if (across != no_half_edge) cut_nodes_[chain.back()] = {nodes, between};
     }
+    const std::uint32_t number = atlas_.part[sheet_.start(chain.front())];
+    const HalfEdge name = name_of(chain);
+    Network::Part& part = made_.parts[number];
     std::uint32_t last = point_of(sheet_.start(chain.front()));
+    const auto last_side = static_cast<std::ptrdiff_t>(between.size());
+    std::ptrdiff_t done = 0;
     const auto side = [&](std::uint32_t to) {
-      made_.chart.edges.push_back({{NodeId(last), NodeId(to)}, set});
+      part.chart.edges.push_back({{NodeId(last), NodeId(to)}, set});
+      sides_[number].emplace_back(name, again ? last_side - done : done);
+      ++done;
       last = to;
     };
     for (std::size_t i = 0; i < between.size(); ++i) {
       const HalfEdge h = chain[between[i].step];
       const std::uint32_t a = sheet_.start(h), b = sheet_.end(h);
-      side(push(geom::interpolate(uv_[a], uv_[b], between[i].part),
+      side(push(part, geom::interpolate(atlas_.uv[a], atlas_.uv[b], between[i].part),
                 sheet_.points[a] + between[i].part * (sheet_.points[b] - sheet_.points[a]), nodes[i]));
     }
     side(point_of(sheet_.end(chain.back())));
@@ -259,11 +423,12 @@ class Builder {
     std::vector<std::uint32_t> nodes;
     std::vector<Division> between;
   };
+  const Atlas& atlas_;
   const param::Opened& opened_;
   const Sheet& sheet_;
-  const std::vector<Point>& uv_;
   const std::vector<double>& sizes_;
   const double straightest_;
+  std::vector<HalfEdge> out_;                                 ///< The half-edge of the border that starts in a point.
   std::vector<bool> stays_;                                   ///< One a point before the cut.
   std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  ///< Ends of the chains so far.
   std::vector<bool> folded_;                                  ///< One a half-edge: a crease.
@@ -271,13 +436,15 @@ class Builder {
   std::map<std::uint32_t, std::uint32_t> point_, node_of_vertex_;
   std::map<HalfEdge, CutNodes>
       cut_nodes_;  ///< By the last half-edge of a chain, which is across the first of its other side.
+  std::map<HalfEdge, std::vector<double>> ends_;  ///< Of the sides of a line, both ends included.
+  std::vector<std::vector<SideOfLine>> sides_;    ///< One an edge of a part.
   Network made_;
 };
 
 }  // namespace
 
-Network divide_network(const Charted& charted, const std::vector<double>& sizes, double corner, double crease) {
-  return Builder(charted, sizes, corner, crease).run();
+Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease) {
+  return Builder(atlas, sizes, corner, crease).run();
 }
 
 }  // namespace dobra::surf::remesh

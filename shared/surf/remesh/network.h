@@ -4,24 +4,30 @@
 #include <vector>
 
 #include "shared/surf/mesh/chart_input.h"
-#include "shared/surf/remesh/remesh.h"
+#include "shared/surf/remesh/atlas.h"
 
 namespace dobra::surf::remesh {
 
-/// Points and edges of the chart, with the place in space and the number of the node of each point.
 struct Network {
-  dobra::mesh::delaunay::MeshInput chart;
-  std::vector<geom::Point3> at;
-  std::vector<std::uint32_t> node;
+  /// Points and edges of a chart, with the place in space and the number of the node of each point.
+  struct Part {
+    dobra::mesh::delaunay::MeshInput chart;
+    std::vector<geom::Point3> at;
+    std::vector<std::uint32_t> node;
+  };
+  std::vector<Part> parts;  ///< As those of the atlas.
   std::uint32_t nodes = 0;
   std::size_t creases = 0;      ///< Lines kept.
-  std::size_t cut_creases = 0;  ///< Of them, those that the cut runs along: these are kept whatever `crease` is.
+  std::size_t cut_creases = 0;  ///< Of them, those that a cut runs along: these are kept whatever `crease` is.
+  std::size_t narrow = 0;       ///< Creases left out, as they run close beside another line,
+  geom::Point3 narrow_at;       ///< and where one of them begins.
 };
 
-/// Along each line between vertices that stay, as many sides as the sizes ask for, even by them. Both sides of a cut
-/// get the same nodes.
+/// Of two creases with less than a quarter of the size between them the shorter one is left out.
+/// Along each line between vertices that stay, as many sides as the sizes ask for, even by them; more where sides would
+/// cross others in the chart, as those of a line that turns to and fro may. Both sides of a cut get the same nodes.
 /// @param sizes  one a point of the sheet before the cut, m
 /// @param crease  degrees; 180: none are kept
-Network divide_network(const Charted& charted, const std::vector<double>& sizes, double corner, double crease);
+Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease);
 
 }  // namespace dobra::surf::remesh

@@ -7,16 +7,18 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "shared/geom/predicates.h"
 #include "shared/surf/mesh/chart_mesher.h"
-#include "shared/surf/param/discrete_chart.h"
 #include "shared/surf/param/recovered.h"
+#include "shared/surf/remesh/atlas.h"
 #include "shared/surf/remesh/network.h"
+#include "shared/surf/remesh/polish.h"
 #include "shared/surf/remesh/triangle_tree.h"
+#include "shared/surf/remesh/twice_joined.h"
 
 namespace dobra::surf::remesh {
 
@@ -29,8 +31,6 @@ using mesh::Finding;
 using param::Sheet;
 
 namespace {
-
-base::Place place_of(Point3 p) { return {.x = p.x, .y = p.y, .z = p.z}; }
 
 /// Places of a triangle at which a deviation is looked for, besides its corners.
 constexpr std::array<std::array<double, 3>, 10> looks{{{0.5, 0.5, 0.0},
@@ -104,30 +104,43 @@ bool lies_in_a_line(std::span<const Point> points) {
 /// One sheet at work.
 class Remesher {
  public:
-  Remesher(Charted charted, const RemeshOptions& options, double size)
-      : charted_(std::move(charted)),
+  Remesher(Atlas atlas, const RemeshOptions& options, double size)
+      : atlas_(std::move(atlas)),
         options_(options),
         size_(size),
-        chart_(std::make_shared<const param::DiscreteChart>(charted_.opened.sheet, charted_.parametrisation.uv)),
-        sizes_(charted_.before.points.size(), size),
-        tree_(charted_.before.points, charted_.before.triangles) {}
+        sizes_(atlas_.before.points.size(), size),
+        tree_(atlas_.before.points, atlas_.before.triangles) {}
 
   Result<Remeshed> run(const base::Progress& progress) {
-    DOBRA_TRY(const Surface pieces, param::plane_pieces(chart_));
-    DOBRA_TRY(Surface guide, guide_of(0));
+    for (const Part& part : atlas_.parts) {
+      DOBRA_TRY(Surface pieces, param::plane_pieces(part.chart));
+      DOBRA_TRY(Surface smooth, guide_of(part, 0));
+      const bool over = turns_over(smooth, part);
+      guides_.push_back({over ? pieces : std::move(smooth), pieces, over ? std::size_t{1} : std::size_t{0}});
+    }
     Remeshed made;
-    double crease = options_.crease;
     Point3 worst;
-    if (turns_over(guide)) guide = pieces, guide_ = 1;
+    std::vector<mesh::TriangleId> turned;
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
-      const base::Progress part = progress.part(from, from + 1.0 / (options_.rounds + 1));
-      auto mesh = fill(guide, pieces, crease, made, part);
+      const base::Progress step = progress.part(from, from + 1.0 / (options_.rounds + 1));
+      std::size_t at = 0;
+      auto mesh = fill(made, step, at);
       while (!mesh && mesh.error().code != ErrorCode::Cancelled && mesh.error().code != ErrorCode::InvalidOption &&
-             change_guide(guide, pieces, crease, made, mesh.error()))
-        mesh = fill(guide, pieces, crease, made, part);
-      if (!mesh) return in_space(mesh.error());
+             change_guide(at, made, mesh.error()))
+        mesh = fill(made, step, at);
+      if (!mesh) return in_space(mesh.error(), at);
       made.mesh = std::move(*mesh);
+      made.flipped = 0;
+      for (const auto& places : made.mesh.places)
+        made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
+      turned = polish(made.mesh, atlas_.before, tree_);
+      if (const auto sound = mesh::check(made.mesh); !sound) {
+        return Error{ErrorCode::InvalidOption,
+                     fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one, such as {:.6g}",
+                                 size_, sound.error().message, std::min(0.5 * size_, mean_side(atlas_.before))),
+                     in_space_only(sound.error().place)};
+      }
       made.rounds = round + 1;
       const bool finer = judge(made, worst);
       if (!(options_.chord > 0.0) || made.deviation <= options_.chord) break;
@@ -151,43 +164,62 @@ class Remesher {
                                {}});
     }
     judge_area(made, worst);
-    for (const auto& places : made.mesh.places)
-      made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
-    made.findings.insert(made.findings.begin(), charted_.findings.begin(), charted_.findings.end());
+    if (made.narrow_creases > 0) {
+      made.findings.push_back({"crease_left_out",
+                               fmt::format("lines at which the mesh folds that run beside another one, much nearer "
+                                           "than a side, and are left out: {}; give a smaller size to keep them",
+                                           made.narrow_creases),
+                               place_of(made.narrow_at)});
+    }
+    if (!turned.empty()) {
+      made.findings.push_back(
+          {"folded", fmt::format("triangles that face against the old mesh: {}; give a smaller size", turned.size()),
+           place_of(made.mesh.points[made.mesh.triangles[turned[0].index()][0].index()])});
+    }
+    made.findings.insert(made.findings.begin(), atlas_.findings.begin(), atlas_.findings.end());
     return made;
   }
 
  private:
+  /// What the mesher of a part is guided by.
+  struct Guide {
+    Surface surface;
+    Surface pieces;  ///< The triangles themselves.
+    std::size_t given_up = 0;
+  };
+
   /// What the mesher is guided by instead, where it failed: first the plane pieces, which fold where the mesh does;
   /// then smoothed copies, without creases. Tells it. @return false where nothing is left
-  bool change_guide(Surface& guide, const Surface& pieces, double& crease, Remeshed& made, const Error& why) {
-    const base::Place place = in_space(why).place.value_or(base::Place{});
+  bool change_guide(std::size_t at, Remeshed& made, const Error& why) {
+    if (at == guides_.size()) return false;  // all parts are meshed, and do not fit together
+    Guide& guide = guides_[at];
+    const base::Place place = in_space(why, at).place.value_or(base::Place{});
     const bool has_creases = made.creases > made.cut_creases;
-    if (guide_ == 0 && has_creases) {
-      guide = pieces;
-      ++guide_;
+    if (guide.given_up == 0 && has_creases) {
+      guide.surface = guide.pieces;
+      ++guide.given_up;
       return true;
     }
-    guide_ = std::max(guide_, std::size_t{1});
-    if (has_creases && crease < 180.0) {
+    guide.given_up = std::max(guide.given_up, std::size_t{1});
+    if (has_creases && crease_ < 180.0) {
       made.findings.push_back({"crease_left_out",
                                fmt::format("not all lines at which the mesh folds are kept, left out are {}: {}",
                                            made.creases - made.cut_creases, why.message),
                                place});
     }
-    crease = 180.0;
-    if (guide_ > smoothings.size()) return false;
-    if (guide_ == 1) {
+    crease_ = 180.0;
+    if (guide.given_up > smoothings.size()) return false;
+    if (!std::exchange(rough_, true)) {
       made.findings.push_back(
           {"rough",
            "the mesh is too rough for its own shape to guide the new one: a smoothed copy does; all "
            "nodes lie on the mesh itself",
            place});
     }
-    auto smoothed = guide_of(smoothings[guide_ - 1]);
-    ++guide_;
+    auto smoothed = guide_of(atlas_.parts[at], smoothings[guide.given_up - 1]);
+    ++guide.given_up;
     if (!smoothed) return false;
-    guide = std::move(*smoothed);
+    guide.surface = std::move(*smoothed);
     return true;
   }
 
@@ -195,10 +227,10 @@ class Remesher {
   static constexpr std::array<int, 2> smoothings{20, 200};
 
   /// The smooth surface of the mesh, whose vertices inside were moved so often to the mean of their neighbours.
-  [[nodiscard]] Result<Surface> guide_of(int times) const {
-    auto chart = chart_;
+  [[nodiscard]] static Result<Surface> guide_of(const Part& part, int times) {
+    auto chart = part.chart;
     if (times > 0) {
-      Sheet sheet = charted_.opened.sheet;
+      Sheet sheet = chart->sheet();
       const auto first = sheet.first_half_edges();
       std::vector<std::vector<param::Neighbour>> rings(sheet.points.size());
       for (std::size_t v = 0; v < rings.size(); ++v) {
@@ -213,15 +245,15 @@ class Remesher {
           sheet.points[v] = before[v] + 0.5 * step;
         }
       }
-      chart = std::make_shared<const param::DiscreteChart>(std::move(sheet), charted_.parametrisation.uv);
+      chart = std::make_shared<const param::DiscreteChart>(std::move(sheet), part.chart->uv());
     }
     return param::Recovered(std::move(chart), {.meets = param::Meets::Border}).surface();
   }
 
   /// Somewhere the surface faces the other way than the triangle there, as one does that rounds sharp corners.
-  [[nodiscard]] bool turns_over(const Surface& surface) const {
-    const auto& sheet = charted_.opened.sheet;
-    const auto& uv = charted_.parametrisation.uv;
+  [[nodiscard]] static bool turns_over(const Surface& surface, const Part& part) {
+    const Sheet& sheet = part.chart->sheet();
+    const auto& uv = part.chart->uv();
     std::vector<Point> places;
     for (const auto& [a, b, c] : sheet.triangles) {
       for (const auto& at : spots) places.push_back(uv[a] + at[1] * (uv[b] - uv[a]) + at[2] * (uv[c] - uv[a]));
@@ -237,18 +269,19 @@ class Remesher {
   }
 
   /// The place in the chart is one in space for the user.
-  Error in_space(Error error) const {
-    if (!error.place || !error.place->u || !error.place->v) return error;
-    const param::Located located = chart_->locate({*error.place->u, *error.place->v});
-    const auto& sheet = charted_.opened.sheet;
+  Error in_space(Error error, std::size_t part) const {
+    if (part == atlas_.parts.size() || !error.place || !error.place->u || !error.place->v) return error;
+    const param::DiscreteChart& chart = *atlas_.parts[part].chart;
+    const param::Located located = chart.locate({*error.place->u, *error.place->v});
+    const Sheet& sheet = chart.sheet();
     const Point3 p = at(sheet.points, sheet.triangles[located.triangle], located.at);
     error.place->x = p.x, error.place->y = p.y, error.place->z = p.z;
     return error;
   }
 
-  [[nodiscard]] double wanted(Point uv) const {
-    const param::Located place = chart_->locate(uv);
-    const auto& t = charted_.before.triangles[place.triangle];
+  [[nodiscard]] double wanted(const Part& part, Point uv) const {
+    const param::Located place = part.chart->locate(uv);
+    const auto& t = atlas_.before.triangles[part.triangles[place.triangle]];
     double sum = 0.0, all = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double c = std::clamp(place.at[i], 0.0, 1.0);
@@ -259,11 +292,12 @@ class Remesher {
   }
 
   /// More triangles than the sizes can mean: what guides the mesher is folded.
-  [[nodiscard]] std::size_t far_too_many(std::size_t nodes_given) const {
+  [[nodiscard]] std::size_t far_too_many(const Part& part, std::size_t nodes_given) const {
     constexpr double equilateral = 0.433, always = 1000.0, each_node = 10.0;
     double expected = each_node * static_cast<double>(nodes_given);
-    const auto& points = charted_.before.points;
-    for (const auto& [a, b, c] : charted_.before.triangles) {
+    const auto& points = atlas_.before.points;
+    for (const std::uint32_t t : part.triangles) {
+      const auto& [a, b, c] = atlas_.before.triangles[t];
       const double size = (sizes_[a] + sizes_[b] + sizes_[c]) / 3.0;
       expected += 0.5 * geom::length(cross(points[b] - points[a], points[c] - points[a])) / (equilateral * size * size);
     }
@@ -272,7 +306,7 @@ class Remesher {
 
   /// The vertex inside whose angles have the sum furthest from 360 degrees.
   [[nodiscard]] Point3 sharpest() const {
-    const Sheet& sheet = charted_.before;
+    const Sheet& sheet = atlas_.before;
     std::vector<double> sums(sheet.points.size(), 0.0);
     for (param::HalfEdge h = 0; h < sheet.twins.size(); ++h) {
       const Point3 p = sheet.points[sheet.start(h)];
@@ -289,27 +323,52 @@ class Remesher {
     return sheet.points[static_cast<std::size_t>(std::max_element(sums.begin(), sums.end(), off) - sums.begin())];
   }
 
-  Result<mesh::SurfaceMesh> fill(const Surface& smooth, const Surface& pieces, double crease, Remeshed& made,
-                                 const base::Progress& progress) const {
-    Network network = divide_network(charted_, sizes_, options_.corner, crease);
+  /// @param at  on an error the part that it is of
+  Result<mesh::SurfaceMesh> fill(Remeshed& made, const base::Progress& progress, std::size_t& at) const {
+    Network network = divide_network(atlas_, sizes_, options_.corner, crease_);
     made.creases = network.creases;
     made.cut_creases = network.cut_creases;
+    made.narrow_creases = network.narrow;
+    made.narrow_at = network.narrow_at;
+    mesh::Division division;
+    division.nodes = network.nodes;
+    std::vector<mesh::FaceMesh> faces;
+    std::vector<trim::TrimmedSurface> surfaces;
+    const double count = static_cast<double>(atlas_.parts.size());
+    for (at = 0; at < atlas_.parts.size(); ++at) {
+      const double done = static_cast<double>(at);
+      DOBRA_TRY(mesh::FaceMesh face, fill_part(at, std::move(network.parts[at]), division,
+                                               progress.part(done / count, (done + 1.0) / count)));
+      faces.push_back(std::move(face));
+      surfaces.push_back({guides_[at].pieces});
+    }
+    part_twice_joined(faces, division, surfaces);
+    return mesh::join(surfaces, division, faces);
+  }
+
+  /// Its input goes to the faces of the division.
+  Result<mesh::FaceMesh> fill_part(std::size_t at, Network::Part network, mesh::Division& division,
+                                   const base::Progress& progress) const {
+    const Part& part = atlas_.parts[at];
     if (lies_in_a_line(network.chart.points)) {
       return Error{ErrorCode::InvalidOption,
                    fmt::format("size {:.6g} is too large for this mesh: the lines that it is cut along would have too "
                                "few sides; give a smaller one, such as {:.6g}",
-                               size_, 0.5 * size_),
+                               size_, std::min(0.5 * size_, mean_side(atlas_.before))),
                    place_of(network.at[0])};
     }
-    mesh::ChartInput input{smooth, std::move(network.chart), std::move(network.at), std::move(network.node)};
+    division.faces.push_back(
+        {guides_[at].surface, std::move(network.chart), std::move(network.at), std::move(network.node)});
+    const mesh::ChartInput& input = division.faces.back();
     mesh::ChartMeshOptions options;
     options.sizes.largest = size_;
-    options.sizes.turn = 180.0;
+    options.sizes.turn = 0.0;
     options.sizes.growth = options_.growth;
     options.sizes.least = options_.least * size_;
-    options.sizes.wanted = [this](Point uv, Point3) { return wanted(uv); };
-    options.points.max_triangles = std::min(options_.most_triangles, far_too_many(input.at.size()));
+    options.sizes.wanted = [this, &part](Point uv, Point3) { return wanted(part, uv); };
+    options.points.max_triangles = std::min(options_.most_triangles, far_too_many(part, input.at.size()));
     options.attempts = 1;
+    options.keep_folds = true;  // polish mends most
     auto filled = mesh::mesh_chart(input, options, progress);
     if (!filled && filled.error().code == ErrorCode::TooManyElements &&
         options.points.max_triangles < options_.most_triangles) {
@@ -321,18 +380,14 @@ class Remesher {
     DOBRA_TRY(mesh::FaceMesh face, std::move(filled));
     // Nodes inside were placed on the smooth surface; they belong on the mesh that was given.
     std::vector<Jet> jets(face.chart.points.size());
-    pieces.jets(face.chart.points, jets);
+    guides_[at].pieces.jets(face.chart.points, jets);
     for (std::size_t i = input.at.size(); i < jets.size(); ++i) face.at[i] = jets[i].at;
-    mesh::Division division;
-    division.nodes = network.nodes;
-    division.faces.push_back(std::move(input));
-    const trim::TrimmedSurface whole{pieces};
-    return mesh::assemble({&whole, 1}, division, {&face, 1});
+    return face;
   }
 
   /// Tells an area that differs from that of the mesh given.
   void judge_area(Remeshed& made, Point3 worst) const {
-    made.area_before = area_of(charted_.before);
+    made.area_before = area_of(atlas_.before);
     if (std::abs(made.quality.area - made.area_before) <= options_.area_off * made.area_before) return;
     made.findings.push_back({"area_off",
                              fmt::format("the new mesh has an area of {:.6g}, the old one of {:.6g}: give a smaller "
@@ -341,13 +396,18 @@ class Remesher {
                              place_of(worst)});
   }
 
+  static std::optional<base::Place> in_space_only(const std::optional<base::Place>& place) {
+    if (!place) return place;
+    return base::Place{.x = place->x, .y = place->y, .z = place->z};
+  }
+
   /// Measures the deviation, and makes sizes smaller where it is above the chord.
   /// @return some became smaller
   bool judge(Remeshed& made, Point3& worst) {
     const auto triangles = triangles_of(made.mesh);
     const TriangleTree tree(made.mesh.points, triangles);
     made.deviation = 0.0;
-    const auto& before = charted_.before;
+    const auto& before = atlas_.before;
     std::vector<double> next = sizes_;
     const auto seen = [&](double off, Point3 place, std::uint32_t old_triangle, std::uint32_t new_triangle) {
       if (off > made.deviation) made.deviation = off, worst = place;
@@ -372,7 +432,7 @@ class Remesher {
   bool take(const std::vector<double>& next) {
     const double least = options_.least * size_;
     std::vector<double> spread = next;
-    for (const auto& t : charted_.before.triangles) {
+    for (const auto& t : atlas_.before.triangles) {
       for (const std::uint32_t v : t) {
         for (const std::uint32_t w : t) {
           if (next[w] < sizes_[w]) spread[v] = std::min(spread[v], next[w]);
@@ -388,118 +448,17 @@ class Remesher {
     return finer;
   }
 
-  const Charted charted_;
+  const Atlas atlas_;
   const RemeshOptions& options_;
   const double size_;
-  std::shared_ptr<const param::DiscreteChart> chart_;
   std::vector<double> sizes_;  ///< One a point of the sheet before the cut, m.
   const TriangleTree tree_;
-  std::size_t guide_ = 0;  ///< How many guides were given up.
+  std::vector<Guide> guides_;  ///< One a part.
+  double crease_ = options_.crease;
+  bool rough_ = false;  ///< Told.
 };
 
-void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
-  const auto tell = [&](std::size_t count, const char* text) {
-    if (count > 0) findings.push_back({"mended", fmt::format(fmt::runtime(text), count), {}});
-  };
-  tell(mended.merged, "points joined with another one at their place: {}");
-  tell(mended.unused, "points of no face, left out: {}");
-  tell(mended.dropped, "triangles left out that are doubled or have two corners only: {}");
-  tell(mended.flipped, "triangles without area, mended: {}");
-  tell(mended.turned, "triangles turned the way of the first: {}");
-}
-
-bool keeps_holes(const Sheet& sheet) { return sheet.loops.size() > 1 && sheet.genus() == 0; }
-
-Result<void> lay_flat_cut(Charted& charted, const param::ParametriseOptions& options, double crease) {
-  charted.opened = param::open(charted.before, {.crease = crease});
-  if (charted.opened.sides > 0) {
-    charted.findings.push_back(
-        {"cut",
-         fmt::format(
-             "the mesh is no disk (borders: {}, handles: {}), so it was cut open (sides of the cut: {}, its length: "
-             "{:.6g})",
-             charted.before.loops.size(), charted.before.genus(), charted.opened.sides, charted.opened.length),
-         {}});
-  }
-  if (!charted.opened.sheet.disk() || charted.opened.sheet.loops[0].size() < 3) {
-    return Error{ErrorCode::BadMesh, "the mesh has too few triangles to be cut open",
-                 place_of(charted.before.points[0])};
-  }
-  DOBRA_TRY(charted.parametrisation, param::parametrise(charted.opened.sheet, options));
-  return {};
-}
-
-/// Holes are filled, so that there is a disk, and the filling is forgotten.
-Result<void> lay_flat_with_holes(Charted& charted, const param::ParametriseOptions& options) {
-  const Sheet whole = param::filled(charted.before);
-  DOBRA_TRY(charted.parametrisation, param::parametrise(whole, options));
-  charted.opened.sheet = charted.before;
-  charted.opened.origin.resize(charted.before.points.size());
-  std::iota(charted.opened.origin.begin(), charted.opened.origin.end(), 0U);
-  charted.opened.across.assign(charted.before.twins.size(), param::no_half_edge);
-  charted.parametrisation.uv.resize(charted.before.points.size());
-  std::erase_if(charted.parametrisation.flipped, [&](std::uint32_t t) { return t >= charted.before.triangles.size(); });
-  charted.findings.push_back({"holes",
-                              fmt::format("borders that stay holes in the chart, so that the mesh was not cut open: {}",
-                                          charted.before.loops.size() - 1),
-                              {}});
-  return {};
-}
-
-/// Many holes, each small: a cut through all of them would stretch the chart.
-bool has_many_holes(const Sheet& sheet) {
-  constexpr std::size_t many = 4;
-  constexpr double small = 0.5;  // of the longest border
-  if (!keeps_holes(sheet) || sheet.loops.size() <= many) return false;
-  const std::size_t longest = param::longest_loop(sheet);
-  const double most = small * param::loop_length(sheet, sheet.loops[longest]);
-  for (std::size_t i = 0; i < sheet.loops.size(); ++i) {
-    if (i != longest && param::loop_length(sheet, sheet.loops[i]) > most) return false;
-  }
-  return true;
-}
-
-Result<Charted> chart_sheet(const param::SheetMade& made, const param::ParametriseOptions& options, Holes holes,
-                            double crease) {
-  Charted charted{made.sheet, {}, {}, {}};
-  tell_mended(made.mended, charted.findings);
-  if (holes == Holes::Stay && keeps_holes(charted.before)) {
-    DOBRA_TRY_VOID(lay_flat_with_holes(charted, options));
-  } else {
-    DOBRA_TRY_VOID(lay_flat_cut(charted, options, crease));
-  }
-  const param::Parametrisation& chart = charted.parametrisation;
-  if (!chart.why_circle.empty())
-    charted.findings.push_back(
-        {"circle",
-         fmt::format("the border of the chart lies on a circle, not between corners: {}", chart.why_circle),
-         {}});
-  if (!chart.flipped.empty()) {
-    const auto& sheet = charted.opened.sheet;
-    charted.findings.push_back({"flipped", fmt::format("triangles flipped in the chart: {}", chart.flipped.size()),
-                                place_of(at(sheet.points, sheet.triangles[chart.flipped[0]], looks.back()))});
-  }
-  return charted;
-}
-
-/// One way of laying the mesh flat, and what comes of it.
-Result<Remeshed> remesh_as(const param::SheetMade& sheet, const RemeshOptions& options, double size, Holes holes,
-                           const base::Progress& progress) {
-  DOBRA_TRY(Charted charted, chart_sheet(sheet, {.weights = options.weights}, holes, options.crease));
-  if (!charted.parametrisation.flipped.empty()) {
-    const Finding& flipped = charted.findings.back();
-    return Error{ErrorCode::CannotMesh, flipped.message, flipped.place};
-  }
-  return Remesher(std::move(charted), options, size).run(progress);
-}
-
 }  // namespace
-
-Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options,
-                           Holes holes) {
-  DOBRA_TRY(const param::SheetMade made, param::sheet_of(mesh));
-  return chart_sheet(made, options, holes, 180.0);
-}
 
 Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
                         const base::Progress& progress) {
@@ -515,11 +474,28 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   while ((mean_side(made.sheet) > size && made.sheet.triangles.size() < options.enough) ||
          is_small_and_closed(made.sheet))
     made.sheet = param::quartered(made.sheet);
+  constexpr double least_part = 20.0;
+  const AtlasOptions flat{.weights = options.weights,
+                          .crease = options.crease,
+                          .most_stretch = options.most_stretch,
+                          .least_area = least_part * size * size};
+  const auto run = [&](Atlas atlas) { return Remesher(std::move(atlas), options, size).run(progress); };
+  // One chart is the best, as far as it keeps its scale.
   const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
-  auto done = remesh_as(made, options, size, first, progress);
-  if (done || !keeps_holes(made.sheet) || done.error().code != ErrorCode::CannotMesh) return done;
-  auto other = remesh_as(made, options, size, first == Holes::Cut ? Holes::Stay : Holes::Cut, progress);
-  return other ? std::move(other) : std::move(done);
+  const Holes second = first == Holes::Cut ? Holes::Stay : Holes::Cut;
+  std::optional<Error> why;
+  for (const Holes holes : {first, second}) {
+    if (holes != first && !keeps_holes(made.sheet)) break;
+    auto atlas = single_chart(made, holes, flat, progress);
+    if (atlas && atlas->stretch > flat.most_stretch) continue;
+    auto done = atlas ? run(std::move(*atlas)) : Result<Remeshed>(atlas.error());
+    if (done || done.error().code == ErrorCode::Cancelled) return done;
+    if (!why) why = done.error();
+  }
+  auto atlas = several_charts(made, flat, progress);
+  auto done = atlas ? run(std::move(*atlas)) : Result<Remeshed>(atlas.error());
+  if (done || done.error().code == ErrorCode::Cancelled || !why) return done;
+  return *why;
 }
 
 double deviation(const Sheet& a, const Sheet& b) {

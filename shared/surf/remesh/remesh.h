@@ -11,7 +11,7 @@
 #include "shared/base/result.h"
 #include "shared/mesh/polygon_mesh.h"
 #include "shared/surf/mesh/assemble.h"
-#include "shared/surf/param/parametrise.h"
+#include "shared/surf/remesh/flatten.h"
 
 namespace dobra::surf::remesh {
 
@@ -26,37 +26,22 @@ struct RemeshOptions {
   double area_off = 0.01;       ///< An area that differs by more than this part is told.
   double least = 0.02;          ///< No size below this part of `size`.
   double beyond = 4.0;          ///< Given up at so many times the triangles that sizes and borders mean.
+  double most_stretch = 15.0;   ///< A mesh is parted where its one chart would have more `stretch` (atlas.h).
   std::size_t most_triangles = 20'000'000;
   param::Weights weights = param::Weights::ShapePreserving;
 };
-
-/// A sheet with a place in the chart for each of its points.
-struct Charted {
-  param::Sheet before;   ///< As it was given, mended.
-  param::Opened opened;  ///< And cut.
-  param::Parametrisation parametrisation;
-  std::vector<mesh::Finding> findings;  ///< "mended", "cut" or "holes", "circle", "flipped".
-};
-
-/// What is done with a sheet of several borders and no handle.
-enum class Holes : std::uint8_t {
-  Cut,   ///< Opened along shortest ways from border to border; so is every other sheet that is no disk.
-  Stay,  ///< All but the longest border stay holes in the chart: they are filled while it is laid flat.
-};
-
-/// @error those of sheet_of and parametrise
-base::Result<Charted> chart_mesh(const dobra::mesh::PolygonMesh& mesh, const param::ParametriseOptions& options = {},
-                                 Holes holes = Holes::Cut);
 
 struct Remeshed {
   mesh::SurfaceMesh mesh;  ///< One face; places in the chart of the opened sheet.
   mesh::SurfaceQuality quality;
   double deviation =
       0.0;  ///< Greatest distance between both meshes at vertices, and at ten places of each triangle, m.
-  std::size_t flipped = 0;      ///< Triangles turned over in the chart, exactly.
-  std::size_t creases = 0;      ///< Lines kept.
-  std::size_t cut_creases = 0;  ///< Of them, those that the cut runs along.
-  double area_before = 0.0;     ///< Of the mesh given, m2.
+  std::size_t flipped = 0;         ///< Triangles turned over in the chart, exactly.
+  std::size_t creases = 0;         ///< Lines kept.
+  std::size_t cut_creases = 0;     ///< Of them, those that the cut runs along.
+  std::size_t narrow_creases = 0;  ///< Left out, since they run close beside another line,
+  geom::Point3 narrow_at;          ///< and where one of them begins.
+  double area_before = 0.0;        ///< Of the mesh given, m2.
   int rounds = 0;
   /// Those of Charted, and "rough", "crease_left_out", "deviation_above", "area_off". No text names a unit: files of
   /// meshes have none.

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <set>
 
 #include "tests/support/sheets.h"
 
@@ -248,7 +250,7 @@ TEST(Remesh, AnAreaThatIsAHundredthOffIsToldAndASmallerOneIsNot) {
 TEST(Remesh, ASizeTooLargeForTheMeshIsRefusedWithOneThatMayDo) {
   const PolygonMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  for (const double size : {1.0, 1.4, 100.0}) {
+  for (const double size : {3.0, 100.0}) {
     const auto made = remesh(tetrahedron, {.size = size});
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.error().code, base::ErrorCode::InvalidOption) << size;
@@ -303,6 +305,145 @@ TEST(Remesh, ClosedMeshesAreCutAndStayClosed) {
   EXPECT_EQ(ball->flipped, 0U);
 }
 
+/// Closed, without a fold, and near the mesh given; what a user would call done.
+void expect_whole(const Remeshed& made, std::int64_t euler, double area) {
+  EXPECT_EQ(made.quality.euler, euler);
+  EXPECT_EQ(made.quality.boundary_edges, 0U);
+  EXPECT_EQ(made.flipped, 0U);
+  EXPECT_FALSE(told(made, "folded"));
+  EXPECT_NEAR(made.quality.area, area, 0.01 * area);
+  EXPECT_GE(made.quality.alpha_mean, 0.97);
+}
+
+double area_of(const PolygonMesh& mesh) {
+  const auto sheet = param::sheet_of(mesh)->sheet;
+  double area = 0.0;
+  for (const auto& [a, b, c] : sheet.triangles)
+    area += 0.5 * geom::length(cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]));
+  return area;
+}
+
+TEST(Remesh, ALongClosedBodyIsMeshedInMomentsWithItsSeamUnseen) {
+  for (const auto& [longer, size] : {std::pair{1.0, 0.12}, {5.0, 0.15}, {20.0, 0.3}}) {
+    PolygonMesh body = test::sphere_mesh(12);
+    for (Point3& p : body.points) p.z *= longer;
+    const auto made = remesh(body, {.size = size});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    expect_whole(*made, 2, area_of(body));
+    EXPECT_GT(made->quality.alpha_min, 0.5) << longer;
+  }
+}
+
+/// Boxes on a lattice: cells of 0.5 that are full, as squares of two triangles between full and empty ones.
+PolygonMesh lattice(const std::set<std::array<int, 3>>& full) {
+  PolygonMesh mesh;
+  std::map<std::array<int, 3>, std::uint32_t> number;
+  const auto corner = [&](std::array<int, 3> at) {
+    const auto [found, fresh] = number.try_emplace(at, static_cast<std::uint32_t>(mesh.points.size()));
+    if (fresh) mesh.points.push_back({0.5 * at[0], 0.5 * at[1], 0.5 * at[2]});
+    return found->second;
+  };
+  for (const auto& cell : full) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        auto next = cell;
+        next[static_cast<std::size_t>(axis)] += side == 0 ? -1 : 1;
+        if (full.contains(next)) continue;
+        const auto u = static_cast<std::size_t>((axis + 1) % 3), v = static_cast<std::size_t>((axis + 2) % 3);
+        std::vector<std::uint32_t> face;
+        for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          auto at = cell;
+          at[static_cast<std::size_t>(axis)] += side;
+          at[u] += i, at[v] += j;
+          face.push_back(corner(at));
+        }
+        if (side == 0) std::reverse(face.begin(), face.end());
+        mesh.faces.push_back(face);
+      }
+    }
+  }
+  return mesh;
+}
+
+TEST(Remesh, BodiesWithHandlesAndArmsKeepAllTheirEdges) {
+  // A frame of three windows, and a block with arms to all sides.
+  std::set<std::array<int, 3>> frame, arms;
+  for (int x = 0; x < 14; ++x) {
+    for (int y = 0; y < 6; ++y) {
+      if (y < 2 || y > 3 || x % 4 < 2) frame.insert({x, y, 0}), frame.insert({x, y, 1});
+    }
+  }
+  for (int i = -12; i <= 12; ++i) arms.insert({i, 0, 0}), arms.insert({0, i, 0}), arms.insert({0, 0, i});
+  for (const auto& [mesh, euler] : {std::pair{lattice(frame), -4}, std::pair{lattice(arms), 2}}) {
+    const double area = area_of(mesh);
+    const auto made = remesh(mesh, {.size = 0.2});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    expect_whole(*made, euler, area);
+    EXPECT_NEAR(made->quality.area, area, 1e-9 * area);  // every edge is a line of the new mesh
+    EXPECT_LT(made->deviation, 1e-12);
+  }
+}
+
+TEST(Remesh, SevenBordersStayAsTheyAre) {
+  PolygonMesh ball = test::sphere_mesh(20);
+  const auto hole = [&](Point3 at, double radius) {
+    std::erase_if(ball.faces, [&](const auto& face) {
+      return std::ranges::any_of(face, [&](std::uint32_t v) { return geom::distance(ball.points[v], at) < radius; });
+    });
+  };
+  for (const Point3 at :
+       {Point3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0.58, 0.58, 0.58}})
+    hole(at, 0.25);
+  const auto before = param::sheet_of(ball)->sheet;
+  ASSERT_EQ(before.loops.size(), 7U);
+  const auto made = remesh(ball, {.size = 0.06});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_EQ(made->quality.loops, 7U);
+  EXPECT_EQ(made->quality.euler, before.euler());
+  EXPECT_FALSE(told(*made, "folded"));
+  EXPECT_GE(made->quality.alpha_mean, 0.97);
+}
+
+TEST(Remesh, AMeshThatIsStretchedTooMuchIsPartedAndItsPartsFitTogether) {
+  // Of one sphere with spikes, whatever bound on the stretch there is: more parts, the same mesh to the user.
+  PolygonMesh body = test::sphere_mesh(16);
+  for (Point3& p : body.points) {
+    const double r = 1.0 + 1.5 * std::pow(std::abs(p.x), 12) + 1.5 * std::pow(std::abs(p.y), 12);
+    p = Point3{} + r * (p - Point3{});
+  }
+  bool parted = false;
+  for (const double most : {15.0, 3.0, 1.6}) {
+    const auto made = remesh(body, {.size = 0.1, .most_stretch = most});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    SCOPED_TRACE(most);
+    expect_whole(*made, 2, area_of(body));
+    parted = parted || told(*made, "parted");
+    EXPECT_LT(made->deviation, 0.05);
+  }
+  EXPECT_TRUE(parted);
+}
+
+TEST(Remesh, AFoldBesideAnotherMuchNearerThanASideIsLeftOutAndTold) {
+  // A chamfer of 0.01 along an edge: two folds of 45 degrees.
+  const auto chamfered = [](double by) {
+    return grid_mesh(3, 1, [by](double u, double v) {
+      const std::array<Point3, 4> at{{{-1, v, 0}, {-by, v, 0}, {0, v, -by}, {0, v, -1}}};
+      return at[static_cast<std::size_t>(std::lround(3 * u))];
+    });
+  };
+  const auto near = remesh(chamfered(0.01), {.size = 0.2});
+  ASSERT_TRUE(near.ok()) << near.error().message;
+  EXPECT_EQ(near->creases, 1U);
+  EXPECT_EQ(near->narrow_creases, 1U);
+  EXPECT_TRUE(told(*near, "crease_left_out"));
+  EXPECT_LT(near->deviation, 0.01);
+  const auto far = remesh(chamfered(0.2), {.size = 0.2});
+  ASSERT_TRUE(far.ok()) << far.error().message;
+  EXPECT_EQ(far->creases, 2U);
+  EXPECT_FALSE(told(*far, "crease_left_out"));
+  EXPECT_LT(far->deviation, 1e-12);
+}
+
 TEST(Remesh, MeshesThatAreNoSheetAreRefusedWithTheirPlace) {
   const PolygonMesh fan{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   const auto made = remesh(fan, {.size = 0.5});
@@ -315,17 +456,18 @@ TEST(Remesh, MeshesThatAreNoSheetAreRefusedWithTheirPlace) {
   }
 }
 
-TEST(Remesh, ATetrahedronKeepsItsFacesAndIsRefusedWhereOneSideGoesRoundIt) {
+TEST(Remesh, ATetrahedronKeepsItsFacesAtAnySizeThatDividesThem) {
   const PolygonMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  const auto made = remesh(tetrahedron, {.size = 0.2});
-  ASSERT_TRUE(made.ok()) << made.error().message;
-  EXPECT_EQ(made->quality.euler, 2);
-  EXPECT_EQ(made->quality.boundary_edges, 0U);
-  EXPECT_EQ(made->flipped, 0U);
-  EXPECT_NEAR(made->quality.area, 1.5 + std::sqrt(3.0) / 2.0, 1e-12);
-  EXPECT_LT(made->deviation, 1e-12);
-  EXPECT_FALSE(remesh(tetrahedron, {.size = 1.0}).ok());
+  for (const double size : {0.2, 1.0}) {
+    const auto made = remesh(tetrahedron, {.size = size});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    EXPECT_EQ(made->quality.euler, 2);
+    EXPECT_EQ(made->quality.boundary_edges, 0U);
+    EXPECT_EQ(made->flipped, 0U);
+    EXPECT_NEAR(made->quality.area, 1.5 + std::sqrt(3.0) / 2.0, 1e-12);
+    EXPECT_LT(made->deviation, 1e-12);
+  }
 }
 
 TEST(Remesh, OneTriangleAndASizeBeyondTheMeshAreMeshed) {
