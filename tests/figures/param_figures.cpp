@@ -1,4 +1,4 @@
-// Figures of triangular_patch.md, parametrise.md, recovered_surface.md and remesh.md.
+// Figures of triangular_patch.md, parametrise.md, recovered_surface.md, relaxed_chart.md and remesh.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "shared/mesh/quality.h"
 #include "shared/surf/param/recovered.h"
+#include "shared/surf/param/relax.h"
 #include "shared/surf/remesh/remesh.h"
 #include "tests/figures/figures.h"
 #include "tests/support/sheets.h"
@@ -214,6 +215,25 @@ void add_alpha(scene::Picture& picture, const std::string& title, const std::vec
       space_panel(title, points, triangles, alpha, {"quality alpha", scene::ColorMapName::Quality, 0.5, 1.0}, 0.3));
 }
 
+/// A closed long body, cut open: its chart on a circle, and with its border set free.
+base::Result<scene::Picture> relaxed_chart() {
+  dobra::mesh::PolygonMesh body = surf::test::sphere_mesh(9);
+  for (Point3& p : body.points) p.z *= 2.0;
+  DOBRA_TRY(const surf::remesh::Charted charted, surf::remesh::chart_mesh(body));
+  const Sheet& sheet = charted.opened.sheet;
+  std::vector<Point> uv = charted.parametrisation.uv;
+  scene::Picture picture;
+  picture.panels.push_back(panel(
+      "A closed body", {lines("mesh", stroke(grey, 0.5), sides(on_page(sheet.points), sheet.triangles))}, 0.1, bare));
+  picture.panels.push_back(panel("Cut open, on a circle",
+                                 {lines("mesh", stroke(grey, 0.5), sides(enlarged(uv, 4.0), sheet.triangles))}, 0.1,
+                                 bare));
+  DOBRA_TRY_VOID(surf::param::relax(sheet, uv));
+  picture.panels.push_back(
+      panel("Its border set free", {lines("mesh", stroke(grey, 0.5), sides(uv, sheet.triangles))}, 0.1, bare));
+  return picture;
+}
+
 base::Result<scene::Picture> remesh() {
   const auto holes = surf::test::grid_mesh(
       30, 30,
@@ -228,7 +248,10 @@ base::Result<scene::Picture> remesh() {
     return Point3{2 * v, x, static_cast<int>(k) % 2 == 0 ? 0.4 * part : 0.4 - 0.4 * part};
   });
   scene::Picture picture;
-  for (const auto& [name, mesh, size] : {std::tuple{"with holes", holes, 0.12}, std::tuple{"folded", fold, 0.16}}) {
+  dobra::mesh::PolygonMesh body = surf::test::torus_mesh(40, 18);
+  for (Point3& p : body.points) p = {0.6 * p.x, 0.6 * p.y, p.z + 0.4 * p.x};
+  for (const auto& [name, mesh, size] :
+       {std::tuple{"with holes", holes, 0.12}, std::tuple{"folded", fold, 0.16}, std::tuple{"closed", body, 0.2}}) {
     DOBRA_TRY(const surf::param::SheetMade before, surf::param::sheet_of(mesh));
     DOBRA_TRY(const surf::remesh::Remeshed made, surf::remesh::remesh(mesh, {.size = size}));
     add_alpha(picture, fmt::format("{}: as it came", name), before.sheet.points, before.sheet.triangles);
@@ -248,6 +271,7 @@ std::vector<Figure> param_figures() {
   return {{"triangular_patch", triangular_patch, 760.0},
           {"parametrise", parametrise, 760.0},
           {"recovered_surface", recovered_surface, 900.0, true},
+          {"relaxed_chart", relaxed_chart, 900.0},
           {"remesh", remesh, 1100.0, true}};
 }
 
