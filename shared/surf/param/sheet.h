@@ -96,8 +96,8 @@ struct Opened {
 Opened open(const Sheet& sheet, const OpenOptions& options = {});
 /// The cut that open makes, one a half-edge; twins alike.
 std::vector<bool> cut_to_disk(const Sheet& sheet, const OpenOptions& options = {});
-/// Cut along any sides: pieces that these part are pieces of the sheet that comes out. @pre one a half-edge, twins alike
-/// @cost O(n log n)
+/// Cut along any sides: pieces that these part are pieces of the sheet that comes out.
+/// @pre one a half-edge, twins alike  @cost O(n log n)
 Opened open_along(const Sheet& sheet, const std::vector<bool>& cut);
 
 /// One a half-edge: the sheet folds there by more than so many degrees. @cost O(n)
