@@ -94,7 +94,7 @@ void SizeField::spread(double largest, const Grow& grow) {
       const auto growth = grow(leaf_of[k], corner);
       for (std::size_t j = 0; j < 4; ++j) {
         const double bound = size + growth(j);
-        if (bound >= sizes_[around[j]]) continue;
+        if (!(bound < sizes_[around[j]])) continue;  // nor one that is no number
         sizes_[around[j]] = bound;
         queue.emplace(bound, around[j]);
       }

@@ -25,8 +25,6 @@ using geom::Point;
 
 namespace {
 
-constexpr std::size_t most_cells = 2'000'000;
-
 Result<void> validate(std::span<const dobra::mesh::delaunay::SizeRequest> requests, const SizeOptions& options) {
   const auto wrong = [](const char* text) { return Error{ErrorCode::InvalidOption, text}; };
   if (!(options.growth > 1.0) || !std::isfinite(options.growth))
@@ -156,14 +154,15 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
   }
   const std::uint32_t look = first_look(chart.surface());
   const auto badly = [&](QuadCellId id) { return builder.follows_badly(tree, id, look); };
-  if (!tree.refine_where(badly, tree.cell_count() + most_cells)) {
+  if (!tree.refine_where(badly, tree.cell_count() + options.most_cells)) {
     const auto leaves = tree.leaves();
     const auto deepest = std::max_element(leaves.begin(), leaves.end(), [&](QuadCellId a, QuadCellId b) {
       return tree.cell(a).level < tree.cell(b).level;
     });
     return Error{ErrorCode::TooManyElements,
-                 "the sizes that the curvature asks for are too small here, or change too fast, for a tree of two "
-                 "million cells: use a greater turn or chord, or trim this part of the surface away",
+                 fmt::format("the sizes that the curvature asks for are too small here, or change too fast, for a tree "
+                             "of {} cells: use a greater turn or chord, or trim this part of the surface away",
+                             options.most_cells),
                  trim::place_of(chart.surface(), chart.held(tree.box(*deepest).centre()))};
   }
   tree.balance();
@@ -222,6 +221,10 @@ Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSi
     const Jet jet = chart.jet(places[i]);
     at[i] = jet.at;
     metrics[i] = metric(jet);
+    if (!geom::is_finite(jet.at) || !std::isfinite(metrics[i].e + metrics[i].g)) {
+      return Error{ErrorCode::CannotMesh, "the surface has no place, or no length, that is a number here",
+                   trim::place_of(chart.surface(), chart.held(places[i]))};
+    }
     field.ask(i, builder.size(places[i], jet));
   }
   const auto ask = [&](Point p, double size) {

@@ -7,8 +7,10 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "shared/base/disjoint_sets.h"
 #include "shared/geom/predicates.h"
 #include "shared/mesh/quality.h"
 
@@ -349,44 +351,123 @@ base::Result<Sheet> connect(std::vector<Point3> points, std::vector<Triangle> tr
   return sheet;
 }
 
-base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options) {
-  SheetMade made;
-  Mended& mended = made.mended;
-  std::vector<Point3> points = mesh.points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!geom::is_finite(points[i]))
+namespace {
+
+/// Triangles of the polygons of a file, each point at its place once, none doubled. @error NotFinite, BadMesh
+struct Soup {
+  std::vector<Point3> points;
+  std::vector<Triangle> triangles;
+  Mended mended;
+};
+base::Result<Soup> soup_of(const dobra::mesh::PolygonMesh& mesh) {
+  Soup soup;
+  soup.points = mesh.points;
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    if (!geom::is_finite(soup.points[i]))
       return Error{ErrorCode::NotFinite, fmt::format("point {} of the mesh is not finite", i)};
   }
-  std::vector<Triangle> triangles;
   for (const auto& face : mesh.faces) {
     for (const std::uint32_t corner : face) {
-      if (corner >= points.size())
-        return Error{ErrorCode::BadMesh, fmt::format("a face names point {} of {}", corner, points.size())};
+      if (corner >= soup.points.size())
+        return Error{ErrorCode::BadMesh, fmt::format("a face names point {} of {}", corner, soup.points.size())};
     }
-    mended.cut += face.size() > 3 ? 1 : 0;
-    if (face.size() > 4 || (face.size() == 4 && !turns_one_way(points, face))) {
-      cut_by_ears(points, face, triangles);
+    soup.mended.cut += face.size() > 3 ? 1 : 0;
+    if (face.size() > 4 || (face.size() == 4 && !turns_one_way(soup.points, face))) {
+      cut_by_ears(soup.points, face, soup.triangles);
       continue;
     }
-    const bool other = face.size() == 4 && geom::distance(points[face[1]], points[face[3]]) <
-                                               geom::distance(points[face[0]], points[face[2]]);
+    const bool other = face.size() == 4 && geom::distance(soup.points[face[1]], soup.points[face[3]]) <
+                                               geom::distance(soup.points[face[0]], soup.points[face[2]]);
     for (std::size_t i = 1; i + 1 < face.size(); ++i) {
       if (other)
-        triangles.push_back({face[1], face[i == 1 ? 2 : 3], face[i == 1 ? 3 : 0]});
+        soup.triangles.push_back({face[1], face[i == 1 ? 2 : 3], face[i == 1 ? 3 : 0]});
       else
-        triangles.push_back({face[0], face[i], face[i + 1]});
+        soup.triangles.push_back({face[0], face[i], face[i + 1]});
     }
   }
-  mended.merged = merge_points(points, triangles);
-  mended.dropped = drop_repeated(triangles);
-  if (triangles.empty()) return Error{ErrorCode::BadMesh, "the mesh has no triangle"};
-  DOBRA_TRY(mended.turned, turn_alike(points, triangles));
-  DOBRA_TRY(mended.flipped, mend_flat(points, triangles, options.flat));
-  if (triangles.empty()) return Error{ErrorCode::BadMesh, "no triangle of the mesh has an area"};
+  soup.mended.merged = merge_points(soup.points, soup.triangles);
+  soup.mended.dropped = drop_repeated(soup.triangles);
+  if (soup.triangles.empty()) return Error{ErrorCode::BadMesh, "the mesh has no triangle"};
+  return soup;
+}
+
+/// @pre one piece at most that sides join
+base::Result<SheetMade> sheet_of_soup(Soup soup, const SheetOptions& options) {
+  SheetMade made{{}, soup.mended};
+  DOBRA_TRY(made.mended.turned, turn_alike(soup.points, soup.triangles));
+  DOBRA_TRY(made.mended.flipped, mend_flat(soup.points, soup.triangles, options.flat));
+  if (soup.triangles.empty()) return Error{ErrorCode::BadMesh, "no triangle of the mesh has an area"};
   // Merged points are among those without a triangle.
-  mended.unused = drop_unused(points, triangles) - mended.merged;
-  DOBRA_TRY(made.sheet, connect(std::move(points), std::move(triangles)));
+  made.mended.unused = drop_unused(soup.points, soup.triangles) - made.mended.merged;
+  DOBRA_TRY(made.sheet, connect(std::move(soup.points), std::move(soup.triangles)));
   return made;
+}
+
+/// A piece for itself; a point has one copy for each fan of its triangles.
+Soup piece_of(const Soup& soup, const std::vector<std::uint32_t>& triangles, const std::vector<HalfEdge>& twins,
+              std::vector<std::uint32_t>& number) {
+  Soup piece;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) number[triangles[i]] = i;
+  base::DisjointSets same(3 * triangles.size());
+  for (HalfEdge h = 0; h < same.size(); ++h) {
+    const Triangle& here = soup.triangles[triangles[h / 3]];
+    const HalfEdge twin = twins[3 * triangles[h / 3] + h % 3];
+    if (twin == no_half_edge) continue;
+    const Triangle& there = soup.triangles[twin / 3];
+    for (const HalfEdge corner : {h, next(h)}) {
+      for (const HalfEdge other : {twin, next(twin)}) {
+        if (here[corner % 3] == there[other % 3]) same.join(corner, 3 * number[twin / 3] + other % 3);
+      }
+    }
+  }
+  std::vector<std::uint32_t> point(same.size(), no_half_edge);
+  piece.triangles.resize(triangles.size());
+  std::set<std::uint32_t> seen;
+  for (HalfEdge h = 0; h < same.size(); ++h) {
+    const std::uint32_t v = soup.triangles[triangles[h / 3]][h % 3];
+    std::uint32_t& mine = point[same.root(h)];
+    if (mine == no_half_edge) {
+      mine = static_cast<std::uint32_t>(piece.points.size());
+      piece.points.push_back(soup.points[v]);
+      piece.mended.parted += seen.insert(v).second ? 0 : 1;
+    }
+    piece.triangles[h / 3][h % 3] = mine;
+  }
+  return piece;
+}
+
+}  // namespace
+
+base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options) {
+  DOBRA_TRY(Soup soup, soup_of(mesh));
+  return sheet_of_soup(std::move(soup), options);
+}
+
+base::Result<std::vector<SheetMade>> sheets_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options) {
+  DOBRA_TRY(Soup soup, soup_of(mesh));
+  DOBRA_TRY(const std::vector<HalfEdge> twins, pair_up(soup.points, soup.triangles));
+  base::DisjointSets joined(soup.triangles.size());
+  for (HalfEdge h = 0; h < twins.size(); ++h) {
+    if (twins[h] != no_half_edge) joined.join(h / 3, twins[h] / 3);
+  }
+  std::vector<std::vector<std::uint32_t>> pieces;
+  std::vector<std::size_t> piece(soup.triangles.size());
+  for (std::uint32_t t = 0; t < piece.size(); ++t) {
+    const std::size_t root = joined.root(t);
+    if (root == t) piece[t] = pieces.size(), pieces.emplace_back();
+    pieces[piece[root]].push_back(t);
+  }
+  std::vector<SheetMade> sheets;
+  std::vector<std::uint32_t> number(piece.size(), no_half_edge);
+  for (const auto& triangles : pieces) {
+    DOBRA_TRY(SheetMade made, sheet_of_soup(piece_of(soup, triangles, twins, number), options));
+    sheets.push_back(std::move(made));
+  }
+  // Of the whole, told with the first piece.
+  Mended& first = sheets.front().mended;
+  first.merged += soup.mended.merged, first.dropped += soup.mended.dropped, first.cut += soup.mended.cut;
+  first.unused += drop_unused(soup.points, soup.triangles) - soup.mended.merged;
+  return sheets;
 }
 
 }  // namespace dobra::surf::param

@@ -53,6 +53,7 @@ struct Mended {
   std::size_t flipped = 0;  ///< Triangles without area that a flip of a side, or their loss on the border, removed.
   std::size_t turned = 0;   ///< Faces turned the way of the first.
   std::size_t cut = 0;      ///< Faces of more than three corners.
+  std::size_t parted = 0;   ///< Copies of points in which parts of a piece met; sheets_of alone makes them.
 };
 
 struct SheetMade {
@@ -64,6 +65,10 @@ struct SheetMade {
 ///        triangles alike, several pieces, a point in which parts meet, a triangle without area that cannot be mended.
 /// @cost  O(n log n)
 base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options = {});
+
+/// One sheet for each piece that sides join, in the order of their first triangles. A point in which parts meet gets a
+/// copy for each. @error as sheet_of, but for pieces and such points  @cost O(n log n)
+base::Result<std::vector<SheetMade>> sheets_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options = {});
 
 /// Twins and loops of triangles that are turned alike. @error as sheet_of
 base::Result<Sheet> connect(std::vector<geom::Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles);

@@ -63,6 +63,7 @@ void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
   tell(mended.dropped, "triangles left out that are doubled or have two corners only: {}");
   tell(mended.flipped, "triangles without area, mended: {}");
   tell(mended.turned, "triangles turned the way of the first: {}");
+  tell(mended.parted, "copies made of points in which parts of the mesh meet: {}");
 }
 
 base::Place place_of(Point3 p) { return {.x = p.x, .y = p.y, .z = p.z}; }
@@ -71,6 +72,20 @@ Point3 centre(const Sheet& sheet, std::uint32_t triangle) {
   const auto& [a, b, c] = sheet.triangles[triangle];
   const Point3 p = sheet.points[a];
   return p + (1.0 / 3.0) * ((sheet.points[b] - p) + (sheet.points[c] - p));
+}
+
+double mean_side(const Sheet& sheet) {
+  double sum = 0.0;
+  for (param::HalfEdge h = 0; h < sheet.twins.size(); ++h)
+    sum += geom::distance(sheet.points[sheet.start(h)], sheet.points[sheet.end(h)]);
+  return sum / static_cast<double>(sheet.twins.size());
+}
+
+double area_of(const Sheet& sheet) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : sheet.triangles)
+    sum += 0.5 * geom::length(cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]));
+  return sum;
 }
 
 bool keeps_holes(const Sheet& sheet) { return sheet.loops.size() > 1 && sheet.genus() == 0; }

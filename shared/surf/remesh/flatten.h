@@ -34,6 +34,8 @@ base::Result<Charted> chart_sheet(const param::SheetMade& made, const param::Par
 
 base::Place place_of(geom::Point3 p);
 geom::Point3 centre(const param::Sheet& sheet, std::uint32_t triangle);
+double mean_side(const param::Sheet& sheet);  ///< m.
+double area_of(const param::Sheet& sheet);    ///< m2.
 /// "mended", each kind once.
 void tell_mended(const param::Mended& mended, std::vector<base::Finding>& findings);
 

@@ -16,6 +16,7 @@
 #include "shared/surf/param/recovered.h"
 #include "shared/surf/remesh/atlas.h"
 #include "shared/surf/remesh/network.h"
+#include "shared/surf/remesh/one_sheet.h"
 #include "shared/surf/remesh/polish.h"
 #include "shared/surf/remesh/triangle_tree.h"
 #include "shared/surf/remesh/twice_joined.h"
@@ -73,20 +74,6 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const mesh::SurfaceMesh& 
                          static_cast<std::uint32_t>(c[2].index())});
   }
   return triangles;
-}
-
-double mean_side(const Sheet& sheet) {
-  double sum = 0.0;
-  for (param::HalfEdge h = 0; h < sheet.twins.size(); ++h)
-    sum += geom::distance(sheet.points[sheet.start(h)], sheet.points[sheet.end(h)]);
-  return sum / static_cast<double>(sheet.twins.size());
-}
-
-double area_of(const Sheet& sheet) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : sheet.triangles)
-    sum += 0.5 * geom::length(cross(sheet.points[b] - sheet.points[a], sheet.points[c] - sheet.points[a]));
-  return sum;
 }
 
 /// Nothing could be filled between them.
@@ -367,6 +354,9 @@ class Remesher {
     options.sizes.least = options_.least * size_;
     options.sizes.wanted = [this, &part](Point uv, Point3) { return wanted(part, uv); };
     options.points.max_triangles = std::min(options_.most_triangles, far_too_many(part, input.at.size()));
+    constexpr std::size_t cells_each = 4, cells_always = 20'000;
+    options.sizes.most_cells =
+        std::min(options.sizes.most_cells, cells_each * options.points.max_triangles + cells_always);
     options.attempts = 1;
     options.keep_folds = true;  // polish mends most
     auto filled = mesh::mesh_chart(input, options, progress);
@@ -460,13 +450,8 @@ class Remesher {
 
 }  // namespace
 
-Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
-                        const base::Progress& progress) {
-  const auto wrong = [](const char* text) { return Error{ErrorCode::InvalidOption, text}; };
-  if (!(options.size >= 0.0) || !std::isfinite(options.size)) return wrong("size must be a positive length, or 0");
-  if (!(options.chord >= 0.0) || !std::isfinite(options.chord)) return wrong("chord must be a positive length, or 0");
-  DOBRA_TRY(param::SheetMade made, param::sheet_of(mesh));
-  const double size = options.size > 0.0 ? options.size : mean_side(made.sheet);
+Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& options, double size,
+                              const base::Progress& progress) {
   const auto is_small_and_closed = [](const Sheet& sheet) {
     constexpr std::size_t few = 16;  // too few to be cut open, as those of a tetrahedron
     return sheet.loops.empty() && sheet.triangles.size() < few;

@@ -43,11 +43,12 @@ struct Remeshed {
   geom::Point3 narrow_at;          ///< and where one of them begins.
   double area_before = 0.0;        ///< Of the mesh given, m2.
   int rounds = 0;
-  /// Those of Charted, and "rough", "crease_left_out", "deviation_above", "area_off". No text names a unit: files of
-  /// meshes have none.
+  /// Those of Charted, and "pieces", "piece_kept", "parted", "folded", "rough", "crease_left_out", "deviation_above",
+  /// "area_off". No text names a unit: files of meshes have none.
   std::vector<mesh::Finding> findings;
 };
 
+/// Pieces are meshed one by one; of several, one that is too small for the size stays as it came ("piece_kept").
 /// A sheet of many small holes keeps them in its chart, and so does one whose cut cannot be meshed; others are cut.
 /// @error those of chart_mesh; InvalidOption: sizes, and one too large for the mesh; CannotMesh with the place: a chart
 /// with flipped triangles; those of mesh_chart

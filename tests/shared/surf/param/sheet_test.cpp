@@ -164,5 +164,24 @@ TEST(Sheet, HolesHandlesAndClosedSurfacesAreOpenedToOneDisk) {
   expect_disk(open(sphere), sphere);
 }
 
+TEST(Sheet, PartsThatMeetInOnePointGetACopyEach) {
+  // Two triangles that share a corner, one of them turned; and a ring of four with a pinch: its first and third corner
+  // are one.
+  const dobra::mesh::PolygonMesh bow{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 4, 3}}};
+  const auto two = sheets_of(bow);
+  ASSERT_TRUE(two.ok()) << two.error().message;
+  ASSERT_EQ(two->size(), 2U);
+  for (const SheetMade& made : *two) EXPECT_EQ(made.sheet.points.size(), 3U);
+  const dobra::mesh::PolygonMesh pinched{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0.5, 1}, {0.5, 0.5, 1}},
+                                         {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {2, 4, 3}, {3, 4, 0}}};
+  const auto one = sheets_of(pinched);
+  ASSERT_TRUE(one.ok()) << one.error().message;
+  ASSERT_EQ(one->size(), 1U);
+  EXPECT_EQ(one->front().mended.parted, 1U);
+  EXPECT_EQ(one->front().sheet.points.size(), 7U);
+  EXPECT_TRUE(one->front().sheet.disk());
+  EXPECT_FALSE(sheet_of(pinched).ok());
+}
+
 }  // namespace
 }  // namespace dobra::surf::param

@@ -444,6 +444,31 @@ TEST(Remesh, AFoldBesideAnotherMuchNearerThanASideIsLeftOutAndTold) {
   EXPECT_LT(far->deviation, 1e-12);
 }
 
+TEST(Remesh, PiecesAreMeshedOneByOneAndOneTooSmallStaysAsItCame) {
+  PolygonMesh all = cube(2.0);
+  const auto add = [&](const PolygonMesh& more, geom::Vector3 by) {
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    for (const Point3 p : more.points) all.points.push_back(p + by);
+    for (auto face : more.faces) {
+      for (std::uint32_t& v : face) v += first;
+      all.faces.push_back(face);
+    }
+  };
+  add(test::sphere_mesh(8), {5, 0, 0});
+  add({{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}, {0, 5, 0});
+  // A second cube that shares one corner with the first: no side joins them.
+  add(cube(2.0), {2, 2, 2});
+  const auto made = remesh(all, {.size = 0.2});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_TRUE(told(*made, "pieces"));
+  EXPECT_TRUE(told(*made, "piece_kept"));
+  EXPECT_EQ(made->quality.components, 4U);
+  EXPECT_EQ(made->quality.euler, 8);
+  EXPECT_EQ(made->quality.boundary_edges, 0U);
+  EXPECT_EQ(made->creases, 24U);
+  EXPECT_NEAR(made->quality.area, 48.0 + area_of(test::sphere_mesh(8)) + 0.015 + 0.005 * std::sqrt(3.0), 0.15);
+}
+
 TEST(Remesh, MeshesThatAreNoSheetAreRefusedWithTheirPlace) {
   const PolygonMesh fan{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   const auto made = remesh(fan, {.size = 0.5});
