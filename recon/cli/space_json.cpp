@@ -40,7 +40,8 @@ SpaceJson surfaces_json(const model::Model& model) {
                        {"lower", row.lower},
                        {"volume", row.volume.value},
                        {"map_area", row.volume.plan},
-                       {"exact", row.volume.exact}});
+                       {"exact", row.volume.exact},
+                       {"unsure", row.volume.unsure}});
   json["surfaces"] = std::move(surfaces);
   json["volumes"] = std::move(volumes);
   json["findings"] = dobra::cli::findings_json(made.made.findings, {});
@@ -55,7 +56,8 @@ std::string surfaces_table(const model::Model& model) {
     text += fmt::format("{:<20} {:<8} {:>14.6g} {:>10.2f} {:>7}\n", row.name, loft::kind_name(row.kind),
                         row.measures.area, row.measures.dip_mean.degrees(), row.pieces);
   for (const space::VolumeRow& row : made.volumes)
-    text += fmt::format("between {} and {}: {:.6g} m3\n", row.upper, row.lower, row.volume.value);
+    text += fmt::format("between {} and {}: {:.6g} m3{}\n", row.upper, row.lower, row.volume.value,
+                        row.volume.unsure > 0.0 ? fmt::format(" +- {:.6g} m3", row.volume.unsure) : "");
   return text;
 }
 

@@ -45,7 +45,7 @@ base::Result<Patch> lattice(Surface surface, const LatticeLines& lines) {
   }
   std::vector<Jet> jets(places.size());
   surface.jets(places, jets);
-  Patch patch{std::move(surface), std::move(u), std::move(v), {}, {}, {}, {}, {}};
+  Patch patch{std::move(surface), std::move(u), std::move(v), {}, {}, {}, {}, {}, {}};
   for (const Jet& jet : jets) patch.points.push_back(jet.at);
   const auto row = static_cast<std::uint32_t>(patch.v.size());
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -324,6 +324,7 @@ class Through {
     while (rows > 1 && 2 * breaks * (run.size() - 1) * rows > options_.triangles) --rows;
     DOBRA_TRY(Patch patch, lattice(made->surface, {{}, made->lines_v, breaks == 2 ? options_.rows : 1, rows}));
     for (const Strand* strand : run) patch.sections.push_back(strand->section);
+    patch.sections_v = made->lines_v;
     patch.low_fault = name.low;
     patch.high_fault = name.high;
     patches.push_back(std::move(patch));

@@ -99,6 +99,23 @@ TEST_F(SpaceCommands, ACutIsASectionThatIsRestored) {
   }
 }
 
+TEST_F(SpaceCommands, VolumesBesideFaultsAreThoseOfTheBlocks) {
+  // A bed 200 m thick, 2000 by 800 m; a thrust that repeats 450 m of it.
+  std::string document = "dobra = 1\nprogram = \"recon\"\n[input]\n";
+  (void)put("thrust.csv",
+            "x,z,name,kind\n0,900,F,fault\n1800,-300,F,fault\n\n"
+            "0,0,A,horizon\n1350,0,A,horizon\n\n900,300,A,horizon\n2000,300,A,horizon\n\n"
+            "0,-200,B,horizon\n1650,-200,B,horizon\n\n1200,100,B,horizon\n2000,100,B,horizon\n");
+  for (const int y : {0, 300, 800})
+    document +=
+        fmt::format("[[input.section]]\nname = \"S{0}\"\nfile = \"thrust.csv\"\ntrace = [0, {0}, 2000, {0}]\n", y);
+  const SpaceOut made = json({"surface", put("thrust.toml", document), "--json", "--quiet"});
+  ASSERT_EQ(made["volumes"].size(), 1U);
+  EXPECT_NEAR(made["volumes"][0]["volume"].get<double>() / (200.0 * 2450.0 * 800.0), 1.0, 1e-9);
+  EXPECT_NEAR(made["volumes"][0]["map_area"], 1.6e6, 1e-3);
+  EXPECT_EQ(made["volumes"][0]["unsure"], 0.0);
+}
+
 TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
   (void)put("a.csv", lines(0.0, slope));
   (void)put("b.csv", "x,z,name,kind\n0,7,A,horizon\n500,7,A,horizon\n");
