@@ -301,6 +301,32 @@ TEST(LoftNetwork, FourSectionsRoundASquareGiveACoonsPatchOnTheirLines) {
   }
 }
 
+TEST(LoftNetwork, SectionsWithinANetworkReturnTheirLines) {
+  // A lattice of three by three, and a diagonal that parts one of its cells: borders of two and of three patches.
+  for (const bool diagonal : {false, true}) {
+    std::vector<loft::Section> sections;
+    for (const double at : {0.0, 500.0, 1000.0}) {
+      sections.push_back(section("x" + std::to_string(static_cast<int>(at)), {{-100.0, at}, {1100.0, at}}));
+      sections.push_back(section("y" + std::to_string(static_cast<int>(at)), {{at, -100.0}, {at, 1100.0}}));
+    }
+    if (diagonal) sections.push_back(section("d", {{0.0, 0.0}, {500.0, 500.0}}));
+    for (auto& s : sections) add(s, "top", sampled(s, wavy, 60));
+    const auto made = through(std::move(sections));
+    ASSERT_EQ(made.surfaces.size(), 1U);
+    EXPECT_EQ(made.surfaces[0].patches.size(), diagonal ? 5U : 4U);
+    for (const auto& s : made.sections) {
+      const auto cut = loft::cut_along(made.surfaces, s.trace, made.size);
+      ASSERT_EQ(cut.lines.size(), 1U) << s.name;
+      const geom::Polyline& line = cut.lines[0].line;
+      EXPECT_LT(away(line, s.lines[0].line), 1e-9 * made.size) << s.name;
+      const double from = s.name == "d" ? 0.0 : 100.0;
+      EXPECT_NEAR(line.points.front().x, from, 1e-9);
+      EXPECT_NEAR(line.points.back().x, s.trace.length() - from, 1e-9);
+      for (std::size_t i = 1; i < line.points.size(); ++i) EXPECT_GT(line.points[i].x, line.points[i - 1].x) << s.name;
+    }
+  }
+}
+
 TEST(LoftNetwork, ThreeSectionsGiveATriangularPatchOnTheirLines) {
   std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {1000.0, 0.0}}),
                                       section("b", {{1000.0, 0.0}, {400.0, 800.0}}),
