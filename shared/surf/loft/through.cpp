@@ -266,10 +266,12 @@ class Through {
     const auto [least, most] = std::minmax_element(strands.begin(), strands.end(), by_length);
     if (length(*most) <= options_.uneven * length(*least)) return;
     const std::string &a = made_.sections[least->front().section].name, &b = made_.sections[most->front().section].name;
-    tell("uneven",
-         fmt::format("{} reaches {:.6g} m in section '{}' and {:.6g} m in '{}'; the surface goes from end to end", item,
-                     length(*least), a, length(*most), b),
-         place_at(least->front().points.back(), item));
+    tell(
+        "uneven",
+        fmt::format("{} reaches {:.6g} m in section '{}' and {:.6g} m in '{}'; beyond the shorter one the surface runs "
+                    "to its end",
+                    item, length(*least), a, length(*most), b),
+        place_at(least->front().points.back(), item));
   }
 
   /// A loft for each run of sections that follow each other and have a piece of one name.
@@ -297,6 +299,41 @@ class Through {
     return patches;
   }
 
+  /// Horizons are joined by place. Nothing, which is by their length, for faults and where a horizon turns back along
+  /// the common direction of the traces; then ends that are not beside each other are told.
+  LineParts horizon_parts(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
+                          const std::vector<std::vector<Point3>>& lines) {
+    if (!item.starts_with("horizon")) return {};
+    Vector way{};
+    for (const auto& line : lines) {
+      const Vector one{line.back().x - line.front().x, line.back().y - line.front().y};
+      if (geom::length(one) > 0.0) way = way + geom::normalised(one);
+    }
+    if (!(geom::length(way) > 0.0)) return {};
+    way = geom::normalised(way);
+    if (auto parts = parts_by_place(lines, way, {!name.low.empty(), !name.high.empty()})) return std::move(*parts);
+    for (const bool high : {false, true}) {
+      if (!(high ? name.high : name.low).empty()) continue;
+      std::size_t least = 0, most = 0;
+      const auto place = [&](std::size_t k) {
+        const Point3 p = high ? lines[k].back() : lines[k].front();
+        return (p.x - lines[0][0].x) * way.x + (p.y - lines[0][0].y) * way.y;
+      };
+      for (std::size_t k = 1; k < lines.size(); ++k) {
+        if (place(k) < place(least)) least = k;
+        if (place(k) > place(most)) most = k;
+      }
+      if (place(most) - place(least) <= uneven_end * made_.size) continue;
+      tell("uneven",
+           fmt::format("{} turns back along the sections, so that its lines are joined by parts of their lengths; its "
+                       "ends in '{}' and '{}' are {:.6g} m apart along them, and heights between the sections are off",
+                       item, made_.sections[run[least]->section].name, made_.sections[run[most]->section].name,
+                       place(most) - place(least)),
+           place_at(high ? lines[most].back() : lines[most].front(), item));
+    }
+    return {};
+  }
+
   base::Result<void> add_loft(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
                               std::vector<Patch>& patches) {
     if (run.empty()) return {};
@@ -313,7 +350,8 @@ class Through {
       lines.push_back(strand->points);
       if (lines.size() > 1 && item.starts_with("fault")) turn_like(lines[lines.size() - 2], lines.back());
     }
-    const auto made = loft(lines);
+    const LineParts parts = horizon_parts(item, name, run, lines);
+    const auto made = loft(lines, parts);
     if (!made) {
       tell("no_surface", fmt::format("{}: {}", item, made.error().message),
            base::located(made.error(), {.item = item}).place.value_or(base::Place{}));
@@ -332,6 +370,7 @@ class Through {
     return {};
   }
 
+  static constexpr double uneven_end = 0.001;   // of the size: ends that are beside each other
   static constexpr double greatest_way = 0.05;  // of the size: from the border of a horizon to its fault
 
   Surfaces made_;

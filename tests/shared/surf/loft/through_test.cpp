@@ -127,6 +127,79 @@ TEST(LoftUntidy, LinesOfUnequalExtentAreJoinedEndToEndAndTold) {
   EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 400'000.0 - 2.0 * 2.0 / 3.0 * 400.0 * 250.0, 1e-6);
 }
 
+/// Along the trace of x at a height y of the map.
+void expect_heights(const loft::Surfaces& made, double y, double from, double to,
+                    const std::function<double(double)>& height) {
+  const auto cut = loft::cut_along(made.surfaces, trace({{0.0, y}, {2000.0, y}}), made.size);
+  ASSERT_EQ(cut.lines.size(), 1U);
+  const geom::Polyline& line = cut.lines[0].line;
+  for (double x = from; x <= to; x += 10.0) {
+    const auto over = loft::passages(line, x, 1e-9);
+    ASSERT_EQ(over.size(), 1U) << x;
+    EXPECT_NEAR(over[0].z, height(x), 1e-9) << "x " << x << ", y " << y;
+  }
+}
+
+TEST(LoftUntidy, LinesOfUnequalExtentAreMatchedByPlace) {
+  // A fold along y, 20 m from vertex to vertex; the second section is half as long, or shifted.
+  const auto fold = [](double x, double) { return 100.0 * std::sin(x / 200.0); };
+  const auto height = [&](double x) {
+    const double low = 20.0 * std::floor(x / 20.0), part = (x - low) / 20.0;
+    return (1.0 - part) * fold(low, 0.0) + part * fold(low + 20.0, 0.0);
+  };
+  for (const auto& [from, to] : {std::pair(500.0, 1500.0), {0.0, 1000.0}, {1000.0, 2000.0}, {400.0, 2400.0}}) {
+    for (const bool turned : {false, true}) {
+      std::vector<loft::Section> sections{section("long", {{0.0, 0.0}, {2000.0, 0.0}})};
+      add(sections[0], "top", sampled(sections[0], fold, 100));
+      sections.push_back(turned ? section("other", {{to, 800.0}, {from, 800.0}})
+                                : section("other", {{from, 800.0}, {to, 800.0}}));
+      add(sections[1], "top", sampled(sections[1], fold, static_cast<int>((to - from) / 20.0)));
+      const auto made = through(sections);
+      ASSERT_EQ(made.surfaces.size(), 1U);
+      for (const double y : {100.0, 400.0, 750.0}) expect_heights(made, y, from, std::min(to, 2000.0), height);
+      // Their own lines come back whole.
+      for (const auto& s : sections) {
+        const auto own = loft::cut_along(made.surfaces, s.trace, made.size);
+        ASSERT_EQ(own.lines.size(), 1U);
+        EXPECT_LT(away(own.lines[0].line, s.lines[0].line), 1e-9 * made.size);
+        EXPECT_LT(away(s.lines[0].line, own.lines[0].line), 1e-9 * made.size);
+      }
+    }
+  }
+}
+
+TEST(LoftUntidy, AFreeEndIsMatchedByPlaceThoughTheOtherIsAtAFault) {
+  const auto fold = [](double x, double) { return 100.0 * std::sin(x / 200.0); };
+  std::vector<loft::Section> sections;
+  for (const double y : {0.0, 800.0}) {
+    sections.push_back(section("S" + std::to_string(static_cast<int>(y)), {{0.0, y}, {2000.0, y}}));
+    add(sections.back(), "top", sampled(sections.back(), fold, y > 0.0 ? 50 : 75, y > 0.0 ? 0.25 : 0.0, 0.75));
+    add(sections.back(), "F", {{{1500.0, 400.0}, {1500.0, -400.0}}, false}, LineKind::Fault);
+  }
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 2U);
+  const auto& top = made.surfaces[made.surfaces[0].name == "top" ? 0 : 1];
+  ASSERT_EQ(top.patches[0].high_fault, "F");
+  for (const auto p : top.patches[0].points) {
+    const double low = 20.0 * std::floor(p.x / 20.0 + 1e-9), part = (p.x - low) / 20.0;
+    if (p.x < 500.0) continue;
+    EXPECT_NEAR(p.z, (1.0 - part) * fold(low, 0.0) + part * fold(low + 20.0, 0.0), 1e-9) << p.x;
+  }
+}
+
+TEST(LoftUntidy, UnequalExtentsOfLinesThatTurnBackAreTold) {
+  std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {2000.0, 0.0}}),
+                                      section("b", {{0.0, 800.0}, {2000.0, 800.0}})};
+  add(sections[0], "top", {{{0.0, 0.0}, {1200.0, 0.0}, {1000.0, 200.0}, {2000.0, 300.0}}, false});
+  add(sections[1], "top", {{{0.0, 0.0}, {1200.0, 0.0}, {1000.0, 200.0}, {1900.0, 290.0}}, false});
+  auto told = through(sections);
+  ASSERT_NE(finding(told.findings, "uneven"), nullptr);
+  EXPECT_NEAR(*finding(told.findings, "uneven")->place.x, 2000.0, 1e-9);
+  sections[1].lines = sections[0].lines;
+  told = through(sections);
+  EXPECT_EQ(finding(told.findings, "uneven"), nullptr);
+}
+
 TEST(LoftUntidy, FaultsPartHorizonsAndTheirPiecesAreJoinedByTheFaultsAtTheirEnds) {
   auto sections = row(
       4, 1000.0, 600.0, [](double, double) { return 0.0; }, 1, "none");
