@@ -65,6 +65,7 @@ class Through {
   Through(Surfaces made, const ThroughOptions& options) : made_(std::move(made)), options_(options) {}
 
   base::Result<Surfaces> run() {
+    tell_kinds();
     // Faults first: horizons end at them.
     for (const LineKind kind : {LineKind::Fault, LineKind::Horizon}) DOBRA_TRY_VOID(surfaces_of(kind));
     std::stable_sort(made_.surfaces.begin(), made_.surfaces.end(), [&](const NamedSurface& a, const NamedSurface& b) {
@@ -85,6 +86,24 @@ class Through {
       }
     }
     return {};
+  }
+
+  /// Names that are a fault here and a horizon there.
+  void tell_kinds() {
+    std::map<std::string, std::pair<std::size_t, const SectionLine*>> first;
+    std::set<std::string> told;
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      for (const SectionLine& line : made_.sections[s].lines) {
+        const auto& [section, other] = first.try_emplace(line.name, s, &line).first->second;
+        if (other->kind == line.kind || !told.insert(line.name).second) continue;
+        tell("kinds_differ",
+             fmt::format("'{}' is a {} in section '{}' and a {} in '{}'; give both one kind, or each a name of its own",
+                         line.name, kind_name(other->kind), made_.sections[section].name, kind_name(line.kind),
+                         made_.sections[s].name),
+             place_at(made_.sections[s].trace.in_space(line.line.points.front()),
+                      fmt::format("section '{}'", made_.sections[s].name)));
+      }
+    }
   }
 
   void tell(std::string code, std::string message, base::Place place) {
@@ -178,7 +197,7 @@ class Through {
       if (std::find(left.begin(), left.end(), s) != left.end()) continue;
       const Section& section = made_.sections[s];
       const SectionCut cut = cut_along({surface}, section.trace, made_.size);
-      double most = 0.0;
+      double most = -1.0;
       Point3 at{};
       double low = INFINITY, high = -INFINITY;
       for (const CutLine& line : cut.lines) {
@@ -193,6 +212,16 @@ class Through {
           for (const CutLine& other : cut.lines) least = std::min(least, geom::distance(other.line, p));
           if (least > most) most = least, at = section.trace.in_space(p);
         }
+      }
+      if (most < 0.0) {
+        const auto line = std::find_if(section.lines.begin(), section.lines.end(),
+                                       [&](const SectionLine& l) { return l.name == surface.name; });
+        tell("left_out",
+             fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and does "
+                         "not reach the line of '{}'",
+                         kind_name(surface.kind), surface.name, section.name),
+             place_at(section.trace.in_space(line->line.points.front()), fmt::format("section '{}'", section.name)));
+        continue;
       }
       tell("left_out",
            fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and the "

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -130,6 +131,28 @@ TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
   ASSERT_EQ(refused["findings"].size(), 1U);
   EXPECT_NEAR(refused["findings"][0]["place"]["point"][0], 100.0, 1e-9);
   EXPECT_NE(outcome.err.find("13 m apart where 'long' and 'across' cross"), std::string::npos) << outcome.err;
+}
+
+TEST_F(SpaceCommands, MistiesThatAreSharedOutArePrinted) {
+  std::string document = "dobra = 1\nprogram = \"recon\"\n[input]\n";
+  const auto add = [&](const char* name, double z, const char* trace) {
+    (void)put(fmt::format("{}.csv", name), fmt::format("x,z,name,kind\n0,{0},A,horizon\n1200,{0},A,horizon\n", z));
+    document += fmt::format("[[input.section]]\nname = \"{0}\"\nfile = \"{0}.csv\"\ntrace = {1}\n", name, trace);
+  };
+  add("south", 4.0, "[-100, 0, 1100, 0]");
+  add("north", 0.0, "[-100, 1000, 1100, 1000]");
+  add("west", 0.0, "[0, -100, 0, 1100]");
+  add("east", 0.0, "[1000, -100, 1000, 1100]");
+  const std::string file = put("net.toml", document);
+  const auto printed = call({"surface", file, "--quiet"});
+  EXPECT_EQ(printed.code, 0) << printed.err;
+  EXPECT_NE(printed.out.find("mis-tie of A at (1000, 0): 'south' is 4 m above 'east'; shared out"), std::string::npos)
+      << printed.out;
+  EXPECT_EQ(printed.out.find("'north'"), std::string::npos) << printed.out;
+  // A cut has the findings of its surfaces: lines that go on beyond the last crossing.
+  const SpaceOut cut = json({"cut", file, "--trace", "100,100,900,800", "--json", "--quiet"});
+  EXPECT_TRUE(std::any_of(cut["findings"].begin(), cut["findings"].end(),
+                          [](const SpaceOut& f) { return f["code"] == "beyond_cells"; }));
 }
 
 TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {

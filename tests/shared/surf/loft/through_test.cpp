@@ -353,6 +353,32 @@ TEST(LoftUntidy, ATieLineOverARowIsToldWithItsDistanceFromTheSurface) {
   EXPECT_NE(told->message.find("'tie' is up to 8 m"), std::string::npos) << told->message;
 }
 
+TEST(LoftUntidy, ANameThatIsAFaultHereAndAHorizonThereIsToldWithPlace) {
+  auto sections = row(3, 1000.0, 800.0, wavy, 10);
+  sections[1].lines[0].kind = LineKind::Fault;
+  const auto made = through(sections);
+  const auto* told = finding(made.findings, "kinds_differ");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("horizon in section 'S1' and a fault in 'S2'"), std::string::npos) << told->message;
+  EXPECT_EQ(*told->place.y, 400.0);
+  sections[1].lines[0].kind = LineKind::Horizon;
+  EXPECT_EQ(finding(through(sections).findings, "kinds_differ"), nullptr);
+}
+
+TEST(LoftUntidy, ALineThatTheSurfaceDoesNotReachIsToldWithItsPlace) {
+  auto sections = row(
+      3, 1000.0, 600.0, [](double, double) { return 0.0; }, 10);
+  for (auto& s : sections) s.lines[0].line = {{{100.0, 0.0}, {600.0, 0.0}}, false};
+  // Its trace touches those of the row, and its line meets a line of the row at its end alone.
+  sections.push_back(section("off", {{600.0, 0.0}, {900.0, -300.0}}));
+  add(sections.back(), "top", {{{0.0, 0.0}, {400.0, 0.0}}, false});
+  const auto made = through(std::move(sections));
+  const auto* told = finding(made.findings, "left_out");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("does not reach the line of 'off'"), std::string::npos) << told->message;
+  EXPECT_EQ(*told->place.x, 600.0);
+}
+
 TEST(LoftUntidy, ThreeCurvesThatDoNotMeetAreRefusedWithTheGap) {
   const auto line = [](geom::Point3 a, geom::Point3 b) { return surf::Curve::line(a, b).value(); };
   const auto made = surf::TriangularPatch::make(line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0.25}, {0, 1, 0}),
