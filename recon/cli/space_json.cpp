@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "recon/space/cut.h"
@@ -40,7 +41,8 @@ SpaceJson surfaces_json(const model::Model& model) {
                        {"lower", row.lower},
                        {"volume", row.volume.value},
                        {"map_area", row.volume.plan},
-                       {"exact", row.volume.exact}});
+                       {"exact", row.volume.exact},
+                       {"unsure", row.volume.unsure}});
   json["surfaces"] = std::move(surfaces);
   json["volumes"] = std::move(volumes);
   json["findings"] = dobra::cli::findings_json(made.made.findings, {});
@@ -54,8 +56,15 @@ std::string surfaces_table(const model::Model& model) {
   for (const space::SurfaceRow& row : made.rows)
     text += fmt::format("{:<20} {:<8} {:>14.6g} {:>10.2f} {:>7}\n", row.name, loft::kind_name(row.kind),
                         row.measures.area, row.measures.dip_mean.degrees(), row.pieces);
+  for (const loft::Mistie& m : made.made.misties) {
+    if (std::abs(m.difference) <= 1e-9 * made.made.size) continue;
+    text += fmt::format("mis-tie of {} at ({:.6g}, {:.6g}): '{}' is {:.6g} m {} '{}'; shared out\n", m.line, m.at.x,
+                        m.at.y, made.made.sections[m.first].name, std::abs(m.difference),
+                        m.difference > 0.0 ? "above" : "below", made.made.sections[m.second].name);
+  }
   for (const space::VolumeRow& row : made.volumes)
-    text += fmt::format("between {} and {}: {:.6g} m3\n", row.upper, row.lower, row.volume.value);
+    text += fmt::format("between {} and {}: {:.6g} m3{}\n", row.upper, row.lower, row.volume.value,
+                        row.volume.unsure > 0.0 ? fmt::format(" +- {:.6g} m3", row.volume.unsure) : "");
   return text;
 }
 
@@ -78,7 +87,10 @@ SpaceJson cut_json(const model::Model& model) {
   for (const section::Horizon& h : cut.section.horizons) add(h.name, h.piece_of, "horizon", h.line);
   for (const section::SectionLine& l : cut.section.lines) add(l.name, l.piece_of, kind_name(l.kind), l.line);
   json["lines"] = std::move(lines);
-  json["findings"] = dobra::cli::findings_json(cut.findings, {});
+  std::vector<loft::Finding> findings = cut.findings;
+  if (const auto* made = model.findings.get<space::MadeSurfaces>())
+    findings.insert(findings.begin(), made->made.findings.begin(), made->made.findings.end());
+  json["findings"] = dobra::cli::findings_json(findings, {});
   return json;
 }
 

@@ -22,7 +22,7 @@ SurfaceRow row_of(const loft::NamedSurface& surface, const loft::Surfaces& all) 
   return row;
 }
 
-std::vector<VolumeRow> volumes_of(const MadeSurfaces& made) {
+std::vector<VolumeRow> volumes_of(MadeSurfaces& made) {
   std::vector<std::size_t> horizons;
   for (std::size_t i = 0; i < made.rows.size(); ++i) {
     if (made.rows[i].kind == loft::LineKind::Horizon) horizons.push_back(i);
@@ -33,7 +33,9 @@ std::vector<VolumeRow> volumes_of(const MadeSurfaces& made) {
   std::vector<VolumeRow> volumes;
   for (std::size_t k = 1; k < horizons.size(); ++k) {
     const auto &upper = made.made.surfaces[horizons[k - 1]], &lower = made.made.surfaces[horizons[k]];
-    volumes.push_back({upper.name, lower.name, loft::volume_between(upper, lower)});
+    VolumeRow row{upper.name, lower.name, loft::volume_between(upper, lower, made.made.surfaces)};
+    made.made.findings.insert(made.made.findings.end(), row.volume.findings.begin(), row.volume.findings.end());
+    volumes.push_back(std::move(row));
   }
   return volumes;
 }

@@ -1,5 +1,6 @@
 // 1. For each piece of the trace its plane; the lines on every patch; what is over the piece.
-// 2. Lines of one surface whose ends meet are joined: at bends of the trace, and at borders of patches.
+// 2. Of lines that patches share, at borders along the trace, one is kept.
+// 3. Lines of one surface whose ends meet are joined: at bends of the trace, and at borders of patches.
 #include "shared/surf/loft/cut.h"
 
 #include <fmt/format.h>
@@ -65,6 +66,7 @@ class Cutting {
     for (std::size_t k = 0; k + 1 < trace_.corners().size(); ++k) {
       for (const Patch& patch : surface.patches) cut(surface, patch, k, lines, made.findings);
     }
+    leave_out_doubles(lines);
     join(lines);
     for (CutLine& line : lines) {
       straighten(line);
@@ -102,6 +104,28 @@ class Cutting {
   static std::string fault_at(const Patch& patch, PatchEnd end) {
     if (end == PatchEnd::Low) return patch.low_fault;
     return end == PatchEnd::High ? patch.high_fault : std::string();
+  }
+
+  /// Where the trace runs along the border of two patches, both give the same line.
+  void leave_out_doubles(std::vector<CutLine>& lines) const {
+    const double same = same_end * size_;
+    const auto on = [&](const CutLine& part, const CutLine& whole) {
+      const geom::Box box = whole.line.box();
+      return std::all_of(part.line.points.begin(), part.line.points.end(), [&](Point p) {
+        return p.x >= box.low.x - same && p.x <= box.high.x + same && p.y >= box.low.y - same &&
+               p.y <= box.high.y + same && geom::distance(whole.line, p) <= same;
+      });
+    };
+    for (std::size_t i = 0; i < lines.size();) {
+      bool is_double = false;
+      for (std::size_t j = 0; j < lines.size() && !is_double; ++j)
+        is_double = j != i && on(lines[i], lines[j]) && (j < i || !on(lines[j], lines[i]));
+      if (is_double) {
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(i));
+      } else {
+        ++i;
+      }
+    }
   }
 
   [[nodiscard]] bool meet(Point p, Point q) const {

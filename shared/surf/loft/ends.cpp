@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace dobra::surf::loft {
 
@@ -67,18 +66,6 @@ std::optional<double> meets(Point3 from, Vector3 way, Point3 a, Point3 b, Point3
   return geom::dot(ac, turned) / volume;
 }
 
-/// The nearest meeting with a fault, within `most` either way.
-std::optional<double> to_fault(const NamedSurface& fault, Point3 from, Vector3 way, double most) {
-  std::optional<double> nearest;
-  for (const Patch& patch : fault.patches) {
-    for (const auto& t : patch.triangles) {
-      const auto at = meets(from, way, patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]);
-      if (at && std::abs(*at) <= most && (!nearest || std::abs(*at) < std::abs(*nearest))) nearest = at;
-    }
-  }
-  return nearest;
-}
-
 /// By how much the rows of one border are moved; none where it stays.
 std::vector<Vector3> moves_of(const Patch& patch, const std::vector<double>& lines_v, const NamedSurface& fault,
                               bool high, double most) {
@@ -87,7 +74,7 @@ std::vector<Vector3> moves_of(const Patch& patch, const std::vector<double>& lin
   for (const double v : patch.v) {
     const Jet jet = patch.surface.jet({high ? 1.0 : 0.0, v});
     ways.push_back(geom::normalised(jet.u));
-    const auto at = to_fault(fault, jet.at, ways.back(), most);
+    const auto at = meeting_along(fault, jet.at, ways.back(), most);
     if (!at) return {};
     way_to.push_back(*at);
   }
@@ -107,6 +94,17 @@ std::vector<Vector3> moves_of(const Patch& patch, const std::vector<double>& lin
 }
 
 }  // namespace
+
+std::optional<double> meeting_along(const NamedSurface& surface, Point3 from, Vector3 way, double most) {
+  std::optional<double> nearest;
+  for (const Patch& patch : surface.patches) {
+    for (const auto& t : patch.triangles) {
+      const auto at = meets(from, way, patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]);
+      if (at && std::abs(*at) <= most && (!nearest || std::abs(*at) < std::abs(*nearest))) nearest = at;
+    }
+  }
+  return nearest;
+}
 
 void lead_to_faults(NamedSurface& horizon, const std::vector<std::vector<double>>& lines_v,
                     const std::vector<NamedSurface>& faults, double most, std::vector<Finding>& findings) {

@@ -1,6 +1,7 @@
 #pragma once
 // Horizons between the sections are led to the faults that their pieces end at. Page: docs/algorithms/loft.md.
 
+#include <optional>
 #include <vector>
 
 #include "shared/surf/loft/patch.h"
@@ -15,5 +16,9 @@ namespace dobra::surf::loft {
 /// @cost  O(rows of the patches times triangles of the faults)
 void lead_to_faults(NamedSurface& horizon, const std::vector<std::vector<double>>& lines_v,
                     const std::vector<NamedSurface>& faults, double most, std::vector<Finding>& findings);
+
+/// From a point along a direction of length 1 to the nearest place on a surface's lattice, m; within `most` either way.
+/// @cost  O(triangles)
+std::optional<double> meeting_along(const NamedSurface& surface, geom::Point3 from, geom::Vector3 way, double most);
 
 }  // namespace dobra::surf::loft

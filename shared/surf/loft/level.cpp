@@ -30,7 +30,9 @@ class Levels {
   }
 
   LevelSet run() {
-    for (const auto& triangle : patch_.triangles) add(triangle);
+    for (const auto& triangle : patch_.triangles) add(triangle, true);
+    // Where lines run together at one point, they link the sides that do.
+    for (const auto& triangle : patch_.collapsed) add(triangle, false);
     for (const auto& [a, b] : parts_) {
       neighbours_[a].push_back(b);
       neighbours_[b].push_back(a);
@@ -48,7 +50,7 @@ class Levels {
   }
 
  private:
-  void add(const std::array<std::uint32_t, 3>& t) {
+  void add(const std::array<std::uint32_t, 3>& t, bool has_area) {
     std::vector<Node> nodes;
     int zeros = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -56,7 +58,7 @@ class Levels {
       if (values_[a] == 0.0) nodes.push_back({a, a}), ++zeros;
       if ((values_[a] < 0.0 && values_[b] > 0.0) || (values_[a] > 0.0 && values_[b] < 0.0)) nodes.push_back(side(a, b));
     }
-    if (zeros == 3 && set_.flat++ == 0) set_.flat_at = patch_.points[t[0]];
+    if (zeros == 3 && has_area && set_.flat++ == 0) set_.flat_at = patch_.points[t[0]];
     if (zeros < 3 && nodes.size() == 2) parts_.insert(std::minmax(nodes[0], nodes[1]));
   }
 

@@ -1,4 +1,4 @@
-// 1. Every line by the part of its length; the vertices of all of them are the breaks of u.
+// 1. Every line by the part of its length, or by place; the vertices of all of them are the breaks of u.
 // 2. v by the mean chord over all breaks.
 // 3. One collocation matrix for all breaks: control points across the lines.
 #include "shared/surf/loft/loft.h"
@@ -90,28 +90,63 @@ std::vector<double> knots_across(const std::vector<double>& v, std::size_t degre
 
 }  // namespace
 
-base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<Point3>>& lines) {
+base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<Point3>>& lines, const LineParts& parts) {
   CommonBreaks common;
-  std::vector<std::vector<double>> parts;
+  std::vector<std::vector<Point3>> whole = lines;
+  LineParts of_lines;
   std::vector<double> all;
   for (std::size_t j = 0; j < lines.size(); ++j) {
     DOBRA_TRY(std::vector<double> of_line, parts_of(lines[j], j));
+    if (!parts.empty()) {
+      of_line = parts[j];
+      if (of_line.front() > same_break) {
+        of_line.insert(of_line.begin(), 0.0);
+        whole[j].insert(whole[j].begin(), lines[j].front());
+      }
+      if (of_line.back() < 1.0 - same_break) {
+        of_line.push_back(1.0);
+        whole[j].push_back(lines[j].back());
+      }
+    }
     all.insert(all.end(), of_line.begin(), of_line.end());
-    parts.push_back(std::move(of_line));
+    of_lines.push_back(std::move(of_line));
   }
   std::sort(all.begin(), all.end());
   for (const double u : all) {
     if (common.u.empty() || u - common.u.back() > same_break) common.u.push_back(u);
   }
+  common.u.front() = 0.0;
   common.u.back() = 1.0;
-  for (std::size_t j = 0; j < lines.size(); ++j) common.points.push_back(at_breaks(lines[j], parts[j], common.u));
+  for (std::size_t j = 0; j < whole.size(); ++j) common.points.push_back(at_breaks(whole[j], of_lines[j], common.u));
   return common;
 }
 
-base::Result<Loft> loft(const std::vector<std::vector<Point3>>& lines) {
+std::optional<LineParts> parts_by_place(const std::vector<std::vector<Point3>>& lines, geom::Vector way,
+                                        std::array<bool, 2> held) {
+  LineParts places;
+  const Point3 origin = lines.front().front();
+  double low = INFINITY, high = -INFINITY;
+  for (const auto& line : lines) {
+    std::vector<double>& of_line = places.emplace_back();
+    for (const Point3 p : line) of_line.push_back((p.x - origin.x) * way.x + (p.y - origin.y) * way.y);
+    low = std::min(low, of_line.front());
+    high = std::max(high, of_line.back());
+  }
+  for (std::vector<double>& of_line : places) {
+    const double from = held[0] ? of_line.front() : low, to = held[1] ? of_line.back() : high;
+    for (std::size_t i = 0; i < of_line.size(); ++i) {
+      of_line[i] = (of_line[i] - from) / (to - from);
+      // Vertices that would be one break, and lines that turn back.
+      if (i > 0 && !(of_line[i] - of_line[i - 1] > 4.0 * same_break)) return std::nullopt;
+    }
+  }
+  return places;
+}
+
+base::Result<Loft> loft(const std::vector<std::vector<Point3>>& lines, const LineParts& parts) {
   if (lines.size() < 2)
     return Error{ErrorCode::InvalidOption, fmt::format("a surface through {} lines; give two at least", lines.size())};
-  DOBRA_TRY(const CommonBreaks common, common_breaks(lines));
+  DOBRA_TRY(const CommonBreaks common, common_breaks(lines, parts));
   DOBRA_TRY(std::vector<double> v, chord_parameters(common));
   const std::size_t count = lines.size(), degree = std::min<std::size_t>(count - 1, 3);
   const std::vector<double> knots_v = knots_across(v, degree);

@@ -5,6 +5,7 @@
 
 #include "shared/geom/box.h"
 #include "shared/geom/polyline.h"
+#include "shared/surf/loft/strips.h"
 #include "shared/surf/measure.h"
 
 namespace dobra::surf::loft {
@@ -122,7 +123,22 @@ struct PlanTriangle {
   [[nodiscard]] double z(Point p) const { return z0 + zx * (p.x - at[0].x) + zy * (p.y - at[0].y); }
 };
 
-std::vector<PlanTriangle> plan_triangles(const NamedSurface& surface) {
+/// Nothing where it stands upright.
+std::optional<PlanTriangle> plan_triangle(Point3 a, Point3 b, Point3 c) {
+  const Vector3 normal = geom::cross(b - a, c - a);
+  if (std::abs(normal.z) <= 1e-12 * geom::length(normal)) return std::nullopt;
+  PlanTriangle triangle;
+  triangle.at = {Point{a.x, a.y}, Point{b.x, b.y}, Point{c.x, c.y}};
+  for (const Point p : triangle.at) triangle.box.add(p);
+  triangle.z0 = a.z;
+  triangle.zx = -normal.x / normal.z;
+  triangle.zy = -normal.y / normal.z;
+  triangle.sign = normal.z < 0.0 ? -1.0 : 1.0;
+  if (normal.z < 0.0) std::swap(triangle.at[1], triangle.at[2]);
+  return triangle;
+}
+
+std::vector<PlanTriangle> plan_triangles(const NamedSurface& surface, const std::vector<StripTriangle>& strips) {
   std::vector<PlanTriangle> made;
   for (const Patch& patch : surface.patches) {
     const double turned = [&] {
@@ -131,22 +147,23 @@ std::vector<PlanTriangle> plan_triangles(const NamedSurface& surface) {
       return plan < 0.0 ? -1.0 : 1.0;
     }();
     for (const auto& t : patch.triangles) {
-      const Vector3 normal = normal_of(patch, t);
-      if (std::abs(normal.z) <= 1e-12 * geom::length(normal)) continue;
-      PlanTriangle triangle;
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangle.at[k] = {patch.points[t[k]].x, patch.points[t[k]].y};
-        triangle.box.add(triangle.at[k]);
-      }
-      triangle.z0 = patch.points[t[0]].z;
-      triangle.zx = -normal.x / normal.z;
-      triangle.zy = -normal.y / normal.z;
-      triangle.sign = turned * (normal.z < 0.0 ? -1.0 : 1.0);
-      if (normal.z < 0.0) std::swap(triangle.at[1], triangle.at[2]);
-      made.push_back(triangle);
+      auto triangle = plan_triangle(patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]);
+      if (!triangle) continue;
+      triangle->sign *= turned;
+      made.push_back(*triangle);
     }
   }
+  for (const StripTriangle& t : strips) {
+    if (const auto triangle = plan_triangle(t[0], t[1], t[2])) made.push_back(*triangle);
+  }
   return made;
+}
+
+/// Whether strips cover nothing on the map, as beside vertical faults.
+bool upright(const std::vector<StripTriangle>& strips, double size) {
+  double plan = 0.0;
+  for (const StripTriangle& t : strips) plan += std::abs(geom::cross(t[1] - t[0], t[2] - t[0]).z);
+  return plan <= 1e-9 * size * size;
 }
 
 using Corners = std::vector<Point>;
@@ -253,10 +270,14 @@ Measures measures(const NamedSurface& surface) {
   return sum;
 }
 
-Volume volume_between(const NamedSurface& upper, const NamedSurface& lower) {
+Volume volume_between(const NamedSurface& upper, const NamedSurface& lower, const std::vector<NamedSurface>& surfaces) {
+  Strips strips = strips_between(upper, lower, surfaces);
   Volume volume;
-  if (!one_border(upper, lower)) {
-    add_pairs(plan_triangles(upper), plan_triangles(lower), volume);
+  volume.unsure = strips.unsure;
+  volume.findings = std::move(strips.findings);
+  const double size = upper.patches.front().surface.size();
+  if (!upright(strips.upper, size) || !upright(strips.lower, size) || !one_border(upper, lower)) {
+    add_pairs(plan_triangles(upper, strips.upper), plan_triangles(lower, strips.lower), volume);
     return volume;
   }
   PlanIntegral top, bottom;

@@ -45,12 +45,14 @@ base::Result<Patch> lattice(Surface surface, const LatticeLines& lines) {
   }
   std::vector<Jet> jets(places.size());
   surface.jets(places, jets);
-  Patch patch{std::move(surface), std::move(u), std::move(v), {}, {}, {}, {}, {}};
+  Patch patch{std::move(surface), std::move(u), std::move(v), {}, {}, {}, {}, {}, {}, {}};
   for (const Jet& jet : jets) patch.points.push_back(jet.at);
   const auto row = static_cast<std::uint32_t>(patch.v.size());
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto& p = patch.points;
-    if (!(p[a] == p[b]) && !(p[b] == p[c]) && !(p[c] == p[a])) patch.triangles.push_back({a, b, c});
+    const int same = (p[a] == p[b] ? 1 : 0) + (p[b] == p[c] ? 1 : 0) + (p[c] == p[a] ? 1 : 0);
+    if (same == 0) patch.triangles.push_back({a, b, c});
+    if (same == 1) patch.collapsed.push_back({a, b, c});
   };
   for (std::uint32_t i = 0; i + 1 < patch.u.size(); ++i) {
     for (std::uint32_t j = 0; j + 1 < row; ++j) {

@@ -17,7 +17,9 @@ struct Patch {
   std::vector<double> u, v;                             ///< Lines of the lattice.
   std::vector<geom::Point3> points;                     ///< v running fastest: number i * v.size() + j.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Anticlockwise in the chart; none without an area.
+  std::vector<std::array<std::uint32_t, 3>> collapsed;  ///< Those of which two corners are in one place.
   std::vector<std::size_t> sections;                    ///< Whose lines it holds.
+  std::vector<double> sections_v;                       ///< v of those lines, of a loft; else empty.
   std::string low_fault, high_fault;                    ///< At which it ends at its first and last u; empty: none.
   [[nodiscard]] geom::Point place(std::uint32_t point) const { return {u[point / v.size()], v[point % v.size()]}; }
 };

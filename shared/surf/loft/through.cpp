@@ -65,6 +65,7 @@ class Through {
   Through(Surfaces made, const ThroughOptions& options) : made_(std::move(made)), options_(options) {}
 
   base::Result<Surfaces> run() {
+    tell_kinds();
     // Faults first: horizons end at them.
     for (const LineKind kind : {LineKind::Fault, LineKind::Horizon}) DOBRA_TRY_VOID(surfaces_of(kind));
     std::stable_sort(made_.surfaces.begin(), made_.surfaces.end(), [&](const NamedSurface& a, const NamedSurface& b) {
@@ -85,6 +86,24 @@ class Through {
       }
     }
     return {};
+  }
+
+  /// Names that are a fault here and a horizon there.
+  void tell_kinds() {
+    std::map<std::string, std::pair<std::size_t, const SectionLine*>> first;
+    std::set<std::string> told;
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      for (const SectionLine& line : made_.sections[s].lines) {
+        const auto& [section, other] = first.try_emplace(line.name, s, &line).first->second;
+        if (other->kind == line.kind || !told.insert(line.name).second) continue;
+        tell("kinds_differ",
+             fmt::format("'{}' is a {} in section '{}' and a {} in '{}'; give both one kind, or each a name of its own",
+                         line.name, kind_name(other->kind), made_.sections[section].name, kind_name(line.kind),
+                         made_.sections[s].name),
+             place_at(made_.sections[s].trace.in_space(line.line.points.front()),
+                      fmt::format("section '{}'", made_.sections[s].name)));
+      }
+    }
   }
 
   void tell(std::string code, std::string message, base::Place place) {
@@ -178,7 +197,7 @@ class Through {
       if (std::find(left.begin(), left.end(), s) != left.end()) continue;
       const Section& section = made_.sections[s];
       const SectionCut cut = cut_along({surface}, section.trace, made_.size);
-      double most = 0.0;
+      double most = -1.0;
       Point3 at{};
       double low = INFINITY, high = -INFINITY;
       for (const CutLine& line : cut.lines) {
@@ -193,6 +212,16 @@ class Through {
           for (const CutLine& other : cut.lines) least = std::min(least, geom::distance(other.line, p));
           if (least > most) most = least, at = section.trace.in_space(p);
         }
+      }
+      if (most < 0.0) {
+        const auto line = std::find_if(section.lines.begin(), section.lines.end(),
+                                       [&](const SectionLine& l) { return l.name == surface.name; });
+        tell("left_out",
+             fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and does "
+                         "not reach the line of '{}'",
+                         kind_name(surface.kind), surface.name, section.name),
+             place_at(section.trace.in_space(line->line.points.front()), fmt::format("section '{}'", section.name)));
+        continue;
       }
       tell("left_out",
            fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and the "
@@ -266,10 +295,12 @@ class Through {
     const auto [least, most] = std::minmax_element(strands.begin(), strands.end(), by_length);
     if (length(*most) <= options_.uneven * length(*least)) return;
     const std::string &a = made_.sections[least->front().section].name, &b = made_.sections[most->front().section].name;
-    tell("uneven",
-         fmt::format("{} reaches {:.6g} m in section '{}' and {:.6g} m in '{}'; the surface goes from end to end", item,
-                     length(*least), a, length(*most), b),
-         place_at(least->front().points.back(), item));
+    tell(
+        "uneven",
+        fmt::format("{} reaches {:.6g} m in section '{}' and {:.6g} m in '{}'; beyond the shorter one the surface runs "
+                    "to its end",
+                    item, length(*least), a, length(*most), b),
+        place_at(least->front().points.back(), item));
   }
 
   /// A loft for each run of sections that follow each other and have a piece of one name.
@@ -297,6 +328,41 @@ class Through {
     return patches;
   }
 
+  /// Horizons are joined by place. Nothing, which is by their length, for faults and where a horizon turns back along
+  /// the common direction of the traces; then ends that are not beside each other are told.
+  LineParts horizon_parts(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
+                          const std::vector<std::vector<Point3>>& lines) {
+    if (!item.starts_with("horizon")) return {};
+    Vector way{};
+    for (const auto& line : lines) {
+      const Vector one{line.back().x - line.front().x, line.back().y - line.front().y};
+      if (geom::length(one) > 0.0) way = way + geom::normalised(one);
+    }
+    if (!(geom::length(way) > 0.0)) return {};
+    way = geom::normalised(way);
+    if (auto parts = parts_by_place(lines, way, {!name.low.empty(), !name.high.empty()})) return std::move(*parts);
+    for (const bool high : {false, true}) {
+      if (!(high ? name.high : name.low).empty()) continue;
+      std::size_t least = 0, most = 0;
+      const auto place = [&](std::size_t k) {
+        const Point3 p = high ? lines[k].back() : lines[k].front();
+        return (p.x - lines[0][0].x) * way.x + (p.y - lines[0][0].y) * way.y;
+      };
+      for (std::size_t k = 1; k < lines.size(); ++k) {
+        if (place(k) < place(least)) least = k;
+        if (place(k) > place(most)) most = k;
+      }
+      if (place(most) - place(least) <= uneven_end * made_.size) continue;
+      tell("uneven",
+           fmt::format("{} turns back along the sections, so that its lines are joined by parts of their lengths; its "
+                       "ends in '{}' and '{}' are {:.6g} m apart along them, and heights between the sections are off",
+                       item, made_.sections[run[least]->section].name, made_.sections[run[most]->section].name,
+                       place(most) - place(least)),
+           place_at(high ? lines[most].back() : lines[most].front(), item));
+    }
+    return {};
+  }
+
   base::Result<void> add_loft(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
                               std::vector<Patch>& patches) {
     if (run.empty()) return {};
@@ -313,7 +379,8 @@ class Through {
       lines.push_back(strand->points);
       if (lines.size() > 1 && item.starts_with("fault")) turn_like(lines[lines.size() - 2], lines.back());
     }
-    const auto made = loft(lines);
+    const LineParts parts = horizon_parts(item, name, run, lines);
+    const auto made = loft(lines, parts);
     if (!made) {
       tell("no_surface", fmt::format("{}: {}", item, made.error().message),
            base::located(made.error(), {.item = item}).place.value_or(base::Place{}));
@@ -324,6 +391,7 @@ class Through {
     while (rows > 1 && 2 * breaks * (run.size() - 1) * rows > options_.triangles) --rows;
     DOBRA_TRY(Patch patch, lattice(made->surface, {{}, made->lines_v, breaks == 2 ? options_.rows : 1, rows}));
     for (const Strand* strand : run) patch.sections.push_back(strand->section);
+    patch.sections_v = made->lines_v;
     patch.low_fault = name.low;
     patch.high_fault = name.high;
     patches.push_back(std::move(patch));
@@ -331,6 +399,7 @@ class Through {
     return {};
   }
 
+  static constexpr double uneven_end = 0.001;   // of the size: ends that are beside each other
   static constexpr double greatest_way = 0.05;  // of the size: from the border of a horizon to its fault
 
   Surfaces made_;

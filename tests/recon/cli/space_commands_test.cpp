@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -99,6 +100,23 @@ TEST_F(SpaceCommands, ACutIsASectionThatIsRestored) {
   }
 }
 
+TEST_F(SpaceCommands, VolumesBesideFaultsAreThoseOfTheBlocks) {
+  // A bed 200 m thick, 2000 by 800 m; a thrust that repeats 450 m of it.
+  std::string document = "dobra = 1\nprogram = \"recon\"\n[input]\n";
+  (void)put("thrust.csv",
+            "x,z,name,kind\n0,900,F,fault\n1800,-300,F,fault\n\n"
+            "0,0,A,horizon\n1350,0,A,horizon\n\n900,300,A,horizon\n2000,300,A,horizon\n\n"
+            "0,-200,B,horizon\n1650,-200,B,horizon\n\n1200,100,B,horizon\n2000,100,B,horizon\n");
+  for (const int y : {0, 300, 800})
+    document +=
+        fmt::format("[[input.section]]\nname = \"S{0}\"\nfile = \"thrust.csv\"\ntrace = [0, {0}, 2000, {0}]\n", y);
+  const SpaceOut made = json({"surface", put("thrust.toml", document), "--json", "--quiet"});
+  ASSERT_EQ(made["volumes"].size(), 1U);
+  EXPECT_NEAR(made["volumes"][0]["volume"].get<double>() / (200.0 * 2450.0 * 800.0), 1.0, 1e-9);
+  EXPECT_NEAR(made["volumes"][0]["map_area"], 1.6e6, 1e-3);
+  EXPECT_EQ(made["volumes"][0]["unsure"], 0.0);
+}
+
 TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
   (void)put("a.csv", lines(0.0, slope));
   (void)put("b.csv", "x,z,name,kind\n0,7,A,horizon\n500,7,A,horizon\n");
@@ -113,6 +131,28 @@ TEST_F(SpaceCommands, MistiesAboveTheToleranceAreRefusedAndPrintedAsAFinding) {
   ASSERT_EQ(refused["findings"].size(), 1U);
   EXPECT_NEAR(refused["findings"][0]["place"]["point"][0], 100.0, 1e-9);
   EXPECT_NE(outcome.err.find("13 m apart where 'long' and 'across' cross"), std::string::npos) << outcome.err;
+}
+
+TEST_F(SpaceCommands, MistiesThatAreSharedOutArePrinted) {
+  std::string document = "dobra = 1\nprogram = \"recon\"\n[input]\n";
+  const auto add = [&](const char* name, double z, const char* trace) {
+    (void)put(fmt::format("{}.csv", name), fmt::format("x,z,name,kind\n0,{0},A,horizon\n1200,{0},A,horizon\n", z));
+    document += fmt::format("[[input.section]]\nname = \"{0}\"\nfile = \"{0}.csv\"\ntrace = {1}\n", name, trace);
+  };
+  add("south", 4.0, "[-100, 0, 1100, 0]");
+  add("north", 0.0, "[-100, 1000, 1100, 1000]");
+  add("west", 0.0, "[0, -100, 0, 1100]");
+  add("east", 0.0, "[1000, -100, 1000, 1100]");
+  const std::string file = put("net.toml", document);
+  const auto printed = call({"surface", file, "--quiet"});
+  EXPECT_EQ(printed.code, 0) << printed.err;
+  EXPECT_NE(printed.out.find("mis-tie of A at (1000, 0): 'south' is 4 m above 'east'; shared out"), std::string::npos)
+      << printed.out;
+  EXPECT_EQ(printed.out.find("'north'"), std::string::npos) << printed.out;
+  // A cut has the findings of its surfaces: lines that go on beyond the last crossing.
+  const SpaceOut cut = json({"cut", file, "--trace", "100,100,900,800", "--json", "--quiet"});
+  EXPECT_TRUE(std::any_of(cut["findings"].begin(), cut["findings"].end(),
+                          [](const SpaceOut& f) { return f["code"] == "beyond_cells"; }));
 }
 
 TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {

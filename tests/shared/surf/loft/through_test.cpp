@@ -127,6 +127,79 @@ TEST(LoftUntidy, LinesOfUnequalExtentAreJoinedEndToEndAndTold) {
   EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 400'000.0 - 2.0 * 2.0 / 3.0 * 400.0 * 250.0, 1e-6);
 }
 
+/// Along the trace of x at a height y of the map.
+void expect_heights(const loft::Surfaces& made, double y, double from, double to,
+                    const std::function<double(double)>& height) {
+  const auto cut = loft::cut_along(made.surfaces, trace({{0.0, y}, {2000.0, y}}), made.size);
+  ASSERT_EQ(cut.lines.size(), 1U);
+  const geom::Polyline& line = cut.lines[0].line;
+  for (double x = from; x <= to; x += 10.0) {
+    const auto over = loft::passages(line, x, 1e-9);
+    ASSERT_EQ(over.size(), 1U) << x;
+    EXPECT_NEAR(over[0].z, height(x), 1e-9) << "x " << x << ", y " << y;
+  }
+}
+
+TEST(LoftUntidy, LinesOfUnequalExtentAreMatchedByPlace) {
+  // A fold along y, 20 m from vertex to vertex; the second section is half as long, or shifted.
+  const auto fold = [](double x, double) { return 100.0 * std::sin(x / 200.0); };
+  const auto height = [&](double x) {
+    const double low = 20.0 * std::floor(x / 20.0), part = (x - low) / 20.0;
+    return (1.0 - part) * fold(low, 0.0) + part * fold(low + 20.0, 0.0);
+  };
+  for (const auto& [from, to] : {std::pair(500.0, 1500.0), {0.0, 1000.0}, {1000.0, 2000.0}, {400.0, 2400.0}}) {
+    for (const bool turned : {false, true}) {
+      std::vector<loft::Section> sections{section("long", {{0.0, 0.0}, {2000.0, 0.0}})};
+      add(sections[0], "top", sampled(sections[0], fold, 100));
+      sections.push_back(turned ? section("other", {{to, 800.0}, {from, 800.0}})
+                                : section("other", {{from, 800.0}, {to, 800.0}}));
+      add(sections[1], "top", sampled(sections[1], fold, static_cast<int>((to - from) / 20.0)));
+      const auto made = through(sections);
+      ASSERT_EQ(made.surfaces.size(), 1U);
+      for (const double y : {100.0, 400.0, 750.0}) expect_heights(made, y, from, std::min(to, 2000.0), height);
+      // Their own lines come back whole.
+      for (const auto& s : sections) {
+        const auto own = loft::cut_along(made.surfaces, s.trace, made.size);
+        ASSERT_EQ(own.lines.size(), 1U);
+        EXPECT_LT(away(own.lines[0].line, s.lines[0].line), 1e-9 * made.size);
+        EXPECT_LT(away(s.lines[0].line, own.lines[0].line), 1e-9 * made.size);
+      }
+    }
+  }
+}
+
+TEST(LoftUntidy, AFreeEndIsMatchedByPlaceThoughTheOtherIsAtAFault) {
+  const auto fold = [](double x, double) { return 100.0 * std::sin(x / 200.0); };
+  std::vector<loft::Section> sections;
+  for (const double y : {0.0, 800.0}) {
+    sections.push_back(section("S" + std::to_string(static_cast<int>(y)), {{0.0, y}, {2000.0, y}}));
+    add(sections.back(), "top", sampled(sections.back(), fold, y > 0.0 ? 50 : 75, y > 0.0 ? 0.25 : 0.0, 0.75));
+    add(sections.back(), "F", {{{1500.0, 400.0}, {1500.0, -400.0}}, false}, LineKind::Fault);
+  }
+  const auto made = through(std::move(sections));
+  ASSERT_EQ(made.surfaces.size(), 2U);
+  const auto& top = made.surfaces[made.surfaces[0].name == "top" ? 0 : 1];
+  ASSERT_EQ(top.patches[0].high_fault, "F");
+  for (const auto p : top.patches[0].points) {
+    const double low = 20.0 * std::floor(p.x / 20.0 + 1e-9), part = (p.x - low) / 20.0;
+    if (p.x < 500.0) continue;
+    EXPECT_NEAR(p.z, (1.0 - part) * fold(low, 0.0) + part * fold(low + 20.0, 0.0), 1e-9) << p.x;
+  }
+}
+
+TEST(LoftUntidy, UnequalExtentsOfLinesThatTurnBackAreTold) {
+  std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {2000.0, 0.0}}),
+                                      section("b", {{0.0, 800.0}, {2000.0, 800.0}})};
+  add(sections[0], "top", {{{0.0, 0.0}, {1200.0, 0.0}, {1000.0, 200.0}, {2000.0, 300.0}}, false});
+  add(sections[1], "top", {{{0.0, 0.0}, {1200.0, 0.0}, {1000.0, 200.0}, {1900.0, 290.0}}, false});
+  auto told = through(sections);
+  ASSERT_NE(finding(told.findings, "uneven"), nullptr);
+  EXPECT_NEAR(*finding(told.findings, "uneven")->place.x, 2000.0, 1e-9);
+  sections[1].lines = sections[0].lines;
+  told = through(sections);
+  EXPECT_EQ(finding(told.findings, "uneven"), nullptr);
+}
+
 TEST(LoftUntidy, FaultsPartHorizonsAndTheirPiecesAreJoinedByTheFaultsAtTheirEnds) {
   auto sections = row(
       4, 1000.0, 600.0, [](double, double) { return 0.0; }, 1, "none");
@@ -280,6 +353,32 @@ TEST(LoftUntidy, ATieLineOverARowIsToldWithItsDistanceFromTheSurface) {
   EXPECT_NE(told->message.find("'tie' is up to 8 m"), std::string::npos) << told->message;
 }
 
+TEST(LoftUntidy, ANameThatIsAFaultHereAndAHorizonThereIsToldWithPlace) {
+  auto sections = row(3, 1000.0, 800.0, wavy, 10);
+  sections[1].lines[0].kind = LineKind::Fault;
+  const auto made = through(sections);
+  const auto* told = finding(made.findings, "kinds_differ");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("horizon in section 'S1' and a fault in 'S2'"), std::string::npos) << told->message;
+  EXPECT_EQ(*told->place.y, 400.0);
+  sections[1].lines[0].kind = LineKind::Horizon;
+  EXPECT_EQ(finding(through(sections).findings, "kinds_differ"), nullptr);
+}
+
+TEST(LoftUntidy, ALineThatTheSurfaceDoesNotReachIsToldWithItsPlace) {
+  auto sections = row(
+      3, 1000.0, 600.0, [](double, double) { return 0.0; }, 10);
+  for (auto& s : sections) s.lines[0].line = {{{100.0, 0.0}, {600.0, 0.0}}, false};
+  // Its trace touches those of the row, and its line meets a line of the row at its end alone.
+  sections.push_back(section("off", {{600.0, 0.0}, {900.0, -300.0}}));
+  add(sections.back(), "top", {{{0.0, 0.0}, {400.0, 0.0}}, false});
+  const auto made = through(std::move(sections));
+  const auto* told = finding(made.findings, "left_out");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("does not reach the line of 'off'"), std::string::npos) << told->message;
+  EXPECT_EQ(*told->place.x, 600.0);
+}
+
 TEST(LoftUntidy, ThreeCurvesThatDoNotMeetAreRefusedWithTheGap) {
   const auto line = [](geom::Point3 a, geom::Point3 b) { return surf::Curve::line(a, b).value(); };
   const auto made = surf::TriangularPatch::make(line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0.25}, {0, 1, 0}),
@@ -298,6 +397,32 @@ TEST(LoftNetwork, FourSectionsRoundASquareGiveACoonsPatchOnTheirLines) {
     ASSERT_EQ(cut.lines.size(), 1u) << s.name;
     EXPECT_LT(away(cut.lines[0].line, s.lines[0].line), 1e-9 * made.size) << s.name;
     EXPECT_NEAR(cut.lines[0].line.points.back().x - cut.lines[0].line.points.front().x, 1000.0, 1e-6);
+  }
+}
+
+TEST(LoftNetwork, SectionsWithinANetworkReturnTheirLines) {
+  // A lattice of three by three, and a diagonal that parts one of its cells: borders of two and of three patches.
+  for (const bool diagonal : {false, true}) {
+    std::vector<loft::Section> sections;
+    for (const double at : {0.0, 500.0, 1000.0}) {
+      sections.push_back(section("x" + std::to_string(static_cast<int>(at)), {{-100.0, at}, {1100.0, at}}));
+      sections.push_back(section("y" + std::to_string(static_cast<int>(at)), {{at, -100.0}, {at, 1100.0}}));
+    }
+    if (diagonal) sections.push_back(section("d", {{0.0, 0.0}, {500.0, 500.0}}));
+    for (auto& s : sections) add(s, "top", sampled(s, wavy, 60));
+    const auto made = through(std::move(sections));
+    ASSERT_EQ(made.surfaces.size(), 1U);
+    EXPECT_EQ(made.surfaces[0].patches.size(), diagonal ? 5U : 4U);
+    for (const auto& s : made.sections) {
+      const auto cut = loft::cut_along(made.surfaces, s.trace, made.size);
+      ASSERT_EQ(cut.lines.size(), 1U) << s.name;
+      const geom::Polyline& line = cut.lines[0].line;
+      EXPECT_LT(away(line, s.lines[0].line), 1e-9 * made.size) << s.name;
+      const double from = s.name == "d" ? 0.0 : 100.0;
+      EXPECT_NEAR(line.points.front().x, from, 1e-9);
+      EXPECT_NEAR(line.points.back().x, s.trace.length() - from, 1e-9);
+      for (std::size_t i = 1; i < line.points.size(); ++i) EXPECT_GT(line.points[i].x, line.points[i - 1].x) << s.name;
+    }
   }
 }
 
