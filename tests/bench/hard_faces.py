@@ -13,8 +13,15 @@ the diagonal of its box over each part. Every answer is one of
   refused  exit 3 or 4; JSON names the reason, in words and with the place
   BAD      all else: a crash, too much time or memory, a bad mesh without a finding, a broken face without one
 Ends with 1 where one is BAD or more than a twentieth of the sound ones are refused; with --strict also where one is told.
+
+    tests/bench/hard_faces.py build/release/bin/quebra --folder FOLDER [--every K] [--first N] [--files TEXT] [--parts ...]
+
+takes the faces of boundary models in OCCT's text format (*.brep) instead, each alone, or each K-th. What such a face should
+be nobody says: the mesh must have its border on the named curves alone, the area that the program integrates over the
+face, no folds, no flat triangle without a finding. It also lists what is refused, by code, and what takes longer than 10 s.
 """
-import argparse, json, math, os, resource, subprocess, sys, tempfile
+import argparse, glob, json, math, os, resource, subprocess, sys, tempfile
+import brep_faces
 
 FLAT = 0.1
 AREA_OFF = 0.01
@@ -131,8 +138,8 @@ def corner_bound(edges, nodes, triangles):
     return best_alpha(least)
 
 
-def flaws_of(face, said, nodes, triangles, wanted):
-    """Each flaw by name, with a text."""
+def measures(nodes, triangles):
+    """Area, least alpha, sides with their triangles, border; what is open or folded, by name."""
     flaws = {}
     whole = 0.0
     least = 1.0
@@ -162,10 +169,15 @@ def flaws_of(face, said, nodes, triangles, wanted):
     folds = sum(1 for count in against.values() if count > 1)
     if folds:
         flaws["fold"] = f"{folds} triangles look against their neighbours"
-    # What is open, and where.
     ends, starts = sorted(b for _, b in border), sorted(a for a, _ in border)
     if ends != starts or len(set(starts)) != len(starts):
         flaws["open"] = "the border is no set of closed curves"
+    return whole, least, sides, border, flaws
+
+
+def flaws_of(face, said, nodes, triangles, wanted):
+    """Each flaw by name, with a text."""
+    whole, least, sides, border, flaws = measures(nodes, triangles)
     used = {n for t in triangles for n in t}
     euler = len(used) - (len(sides) + len(border)) // 2 + len(triangles)
     meant = 2 - 2 * face["handles"] - circles_of(face["edges"])
@@ -210,6 +222,38 @@ def flaws_of(face, said, nodes, triangles, wanted):
     return flaws
 
 
+def bound_at_border(nodes, triangles, border):
+    """The best least alpha that the corners of the border leave."""
+    at = {n for side in border for n in side}
+    turned = {}
+    for t in triangles:
+        for i in range(3):
+            if t[i] in at:
+                here = nodes[t[i]]
+                turned[t[i]] = turned.get(t[i], 0.0) + angle(minus(nodes[t[(i + 1) % 3]], here),
+                                                             minus(nodes[t[(i + 2) % 3]], here))
+    return best_alpha(min(turned.values(), default=math.pi))
+
+
+def flaws_alone(tolerance, said, nodes, triangles, named):
+    """Of a mesh that only the program's own area and the names of its sides are there to be compared with."""
+    whole, least, _, border, flaws = measures(nodes, triangles)
+    unnamed = sum(1 for side in border if side not in named)
+    if unnamed:
+        flaws["open"] = f"{unnamed} sides of the border are on no curve"
+    area = said["area_surface"]
+    length = sum(size(minus(nodes[a], nodes[b])) for a, b in border)
+    if not abs(whole - area) <= max(AREA_OFF * area, tolerance * length):
+        flaws["area"] = f"area {whole:.6g}, the face has {area:.6g}"
+    if least < FLAT and least < 0.98 * (bound := min(FLAT, bound_at_border(nodes, triangles, border))):
+        flaws["alpha"] = f"alpha {least:.4f} below {bound:.4f}"
+    if abs(said["area"] - whole) > 1e-6 * whole or abs(said["alpha_min"] - least) > 1e-4:
+        flaws["figures"] = f"says area {said['area']:.8g} and alpha {said['alpha_min']:.4f}; {whole:.8g}, {least:.4f}"
+    if said["elements"] != len(triangles):
+        flaws["figures"] = "says another number of elements"
+    return flaws
+
+
 TOLD_BY = {"area": "area_off", "alpha": "flat_triangle"}
 
 
@@ -224,10 +268,12 @@ def findings_without(findings):
 
 
 def run(program, arguments, limits):
+    """Ends itself after thrice the time; limits["sharp"]: at once."""
     def limited():
         if limits["memory"]:
             resource.setrlimit(resource.RLIMIT_AS, (limits["memory"] << 20, limits["memory"] << 20))
-        resource.setrlimit(resource.RLIMIT_CPU, (3 * limits["seconds"], 3 * limits["seconds"]))
+        cpu = (1 if limits.get("sharp") else 3) * limits["seconds"]
+        resource.setrlimit(resource.RLIMIT_CPU, (cpu, cpu))
 
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([program] + arguments, capture_output=True, text=True, preexec_fn=limited,
@@ -277,25 +323,104 @@ def answer_of(program, face, file, out, wanted, limits):
     return "clean", "", seconds, count, nodes
 
 
+def answer_alone(options, tolerance, file, out, wanted):
+    """(verdict, text, seconds, elements, nodes) for a face of a folder."""
+    arguments = ["mesh", file, "--json", "--out", out] + (["--size", repr(wanted)] if wanted else [])
+    if os.path.exists(out):
+        os.remove(out)
+    done, seconds = run(options.program, arguments, {"seconds": options.seconds, "memory": options.memory, "sharp": True})
+    if seconds >= options.seconds - 0.5 and done.returncode < 0:
+        return "late", f"{seconds:.1f} s, exit {done.returncode}", seconds, 0, []
+    if done.returncode not in (0, 3, 4):
+        return "BAD", f"exit code {done.returncode}: {done.stderr.strip()[:200]}", seconds, 0, []
+    try:
+        said = json.loads(done.stdout)
+    except ValueError:
+        return "BAD", f"no JSON at exit code {done.returncode}: {done.stdout[:80]!r}", seconds, 0, []
+    findings = said.get("findings") or []
+    fault = findings_without(findings)
+    if done.returncode != 0:
+        if fault or not findings:
+            return "BAD", f"refused: {fault or 'no finding'}: {done.stderr.strip()[-200:]}", seconds, 0, []
+        return "refused " + findings[-1]["code"], findings[-1]["message"], seconds, 0, []
+    nodes, triangles, named = brep_faces.read_vtu(out)
+    if not triangles:
+        return "BAD", "an empty mesh", seconds, 0, []
+    flaws = flaws_alone(tolerance, said, nodes, triangles, named)
+    if fault:
+        flaws["finding"] = fault
+    codes = {f["code"] for f in findings}
+    text = "; ".join(f"{name}: {said_of}" for name, said_of in flaws.items())
+    verdict = "BAD" if any(TOLD_BY.get(name) not in codes for name in flaws) else "told" if flaws else "clean"
+    return verdict, text, seconds, len(triangles), nodes
+
+
+def folder_main(options, parts, folder):
+    counts, seconds, number = {}, {p: [] for p in parts}, -1
+    for path in sorted(glob.glob(os.path.join(options.folder, "*.brep"))):
+        name = os.path.splitext(os.path.basename(path))[0]
+        try:
+            shapes = brep_faces.Shapes(open(path, encoding="latin-1").read())
+        except (ValueError, AttributeError) as error:
+            print(f"{name}: no boundary model in text: {error}")
+            continue
+        for k, face in enumerate(shapes.faces()):
+            number += 1
+            if number < options.first or number % options.every or options.files not in name:
+                continue
+            file = os.path.join(folder, f"{name}_{k:03}.brep" if options.keep else "face.brep")
+            with open(file, "w", encoding="latin-1") as out:
+                out.write(shapes.alone(face))
+            box = shapes.diagonal_of(face)
+            for part in parts:
+                wanted = box / part if part else 0.0
+                if part and not wanted:
+                    continue
+                verdict, text, took, triangles, nodes = answer_alone(
+                    options, shapes.tolerance_of(face), file, os.path.join(folder, "mesh.vtu"), wanted)
+                if nodes and not part:
+                    box = diagonal(nodes)
+                if verdict != "late" and took > 10.0:
+                    verdict, text = "late", f"{took:.1f} s, {verdict}"
+                counts.setdefault(verdict, {}).setdefault(part, []).append(f"{name}_{k:03}")
+                seconds[part].append(took)
+                if options.show and verdict != "clean" or verdict in ("BAD", "late"):
+                    print(f"{number} {name}_{k:03} 1/{part}: {verdict}, {triangles} triangles, {took:.2f} s: {text}",
+                          flush=True)
+    print(f"{'verdict':<24}" + "".join(f"{'1/' + str(p) if p else 'own size':>10}" for p in parts))
+    for verdict, by_part in sorted(counts.items()):
+        print(f"{verdict:<24}" + "".join(f"{len(by_part.get(p, [])):>10}" for p in parts))
+    print(f"{'most s':<24}" + "".join(f"{max(seconds[p], default=0.0):>10.2f}" for p in parts))
+    return 1 if "BAD" in counts or "late" in counts else 0
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("writer")
+    parser.add_argument("writer", nargs="?")
+    parser.add_argument("--folder", help="boundary models whose faces are taken, instead of the writer's")
+    parser.add_argument("--every", type=int, default=1, help="of a folder, each so many-th face")
+    parser.add_argument("--files", default="", help="of a folder, the files with this in their names")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--faces", type=int, default=510)
     parser.add_argument("--kinds", default="")
-    parser.add_argument("--parts", default="0,10,30,100")
-    parser.add_argument("--seconds", type=int, default=10)
+    parser.add_argument("--parts", help="default 0,10,30,100; of a folder 0,30,100")
+    parser.add_argument("--seconds", type=int, help="default 10; of a folder 20")
     parser.add_argument("--memory", type=int, default=6000, help="MB of address space; 0: as much as there is")
     parser.add_argument("--show", action="store_true", help="a line for each answer that is not clean")
     parser.add_argument("--keep", help="the files stay in this folder")
     parser.add_argument("--strict", action="store_true")
     options = parser.parse_args()
+    if bool(options.writer) == bool(options.folder):
+        parser.error("give the writer of faces or --folder")
+    options.seconds = options.seconds or (20 if options.folder else 10)
     limits = {"seconds": options.seconds, "memory": options.memory}
-    parts = [int(p) for p in options.parts.split(",")]
+    parts = sorted(int(p) for p in (options.parts or ("0,30,100" if options.folder else "0,10,30,100")).split(","))
     temporary = tempfile.TemporaryDirectory()
     folder = options.keep or temporary.name
     os.makedirs(folder, exist_ok=True)
+    if options.folder:
+        return folder_main(options, parts, folder)
     subprocess.run([options.writer, folder, str(options.first), str(options.faces)]
                    + [k for k in options.kinds.split(",") if k], check=True)
     with open(os.path.join(folder, "faces.json")) as lines:
@@ -307,7 +432,7 @@ def main():
         kind = table.setdefault((not face["sound"], face["kind"]),
                                 {"faces": 0, "clean": 0, "told": 0, "refused": 0, "BAD": 0, "seconds": []})
         kind["faces"] += 1
-        for part in sorted(parts):
+        for part in parts:
             wanted = diagonal(reference) / part if part and reference else 0.0
             if part and not wanted:
                 continue

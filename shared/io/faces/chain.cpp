@@ -150,6 +150,7 @@ Outcome<Sorted> sorted(const Bench& bench, Loop wire, Periods periods) {
   return made;
 }
 
+/// The order in a wire is free by the format, so it is no remark.
 void say_order(const Bench& bench, const Sorted& sorted) {
   const Point at = sorted.chains.front().pieces.front().begin_at();
   if (sorted.any_turned)
@@ -161,8 +162,6 @@ void say_order(const Bench& bench, const Sorted& sorted) {
   if (sorted.chains.size() > 1)
     bench.report.say("loop_split", fmt::format("a wire holds {} loops; taken apart", sorted.chains.size()), at,
                      bench.at(at));
-  else
-    bench.report.say("loop_reordered", "the edges of a wire are not in order; put so that ends meet", at, bench.at(at));
 }
 
 }  // namespace

@@ -9,21 +9,6 @@
 
 namespace dobra::io::faces {
 
-namespace {
-
-/// That edges of a wire are in another order is no fault of a file, and common: said once, at the first.
-void say_orders_once(std::vector<surf::mesh::Finding>& findings) {
-  const auto is_order = [](const surf::mesh::Finding& finding) { return finding.code == "loop_reordered"; };
-  const auto count = std::count_if(findings.begin(), findings.end(), is_order);
-  const auto first = std::find_if(findings.begin(), findings.end(), is_order);
-  if (count < 2) return;
-  first->message =
-      fmt::format("the edges of {} wires are not in order, the first of them here; put so that ends meet", count);
-  findings.erase(std::remove_if(first + 1, findings.end(), is_order), findings.end());
-}
-
-}  // namespace
-
 base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOptions& options) {
   DOBRA_TRY(const std::vector<brep::TrimmedFace> faces, brep::faces_of(model));
   Imported made;
@@ -48,7 +33,6 @@ base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOpti
       made.faces.push_back(std::get<surf::trim::TrimmedSurface>(std::move(outcome)));
     }
   }
-  say_orders_once(made.findings);
   return made;
 }
 

@@ -23,7 +23,7 @@ struct ImportOptions {
 
 struct Imported {
   std::vector<surf::trim::TrimmedSurface> faces;
-  /// Codes of what was mended: face_twice, gap_closed, edge_dropped, edge_twice, edge_turned, loop_reordered,
+  /// Codes of what was mended: face_twice, gap_closed, edge_dropped, edge_twice, edge_turned,
   /// loop_split, loop_turned, loop_dropped, period_shifted, seam_added, side_added, natural_bounds, curve_projected,
   /// curve_held, curves_apart, edges_cross. Codes of faces left out, face_ and the reason: face_surface, face_curve,
   /// face_open, face_endless, face_crossing, face_apart, face_outside, face_empty.

@@ -1,11 +1,11 @@
 #include "shared/surf/trim/area.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <queue>
+#include <vector>
 
 namespace dobra::surf::trim {
 
@@ -14,30 +14,48 @@ using geom::Point;
 
 namespace {
 
-/// Fifteen places on -1 .. 1 with the weights of Kronrod's rule, and of Gauss's with seven of them.
+/// Places on -1 .. 1 with the weights of Kronrod's rule, and of Gauss's with every other of them.
 struct KronrodRule {
-  std::array<double, 15> at{}, weight{}, gauss{};
-  KronrodRule() {
-    using Kronrod = boost::math::quadrature::gauss_kronrod<double, 15>;
-    using Gauss = boost::math::quadrature::gauss<double, 7>;
-    for (std::size_t i = 0; i < 8; ++i) {
-      at[7 + i] = Kronrod::abscissa()[i], at[7 - i] = -at[7 + i];
-      weight[7 + i] = weight[7 - i] = Kronrod::weights()[i];
-      if (i % 2 == 0) gauss[7 + i] = gauss[7 - i] = Gauss::weights()[i / 2];
+  std::vector<double> at, weight, gauss;
+  template <unsigned Count>
+  static KronrodRule of() {
+    using Kronrod = boost::math::quadrature::gauss_kronrod<double, Count>;
+    using Gauss = boost::math::quadrature::gauss<double, Count / 2>;
+    constexpr std::size_t middle = Count / 2;
+    KronrodRule made{std::vector<double>(Count), std::vector<double>(Count), std::vector<double>(Count)};
+    for (std::size_t i = 0; i <= middle; ++i) {
+      made.at[middle + i] = Kronrod::abscissa()[i], made.at[middle - i] = -made.at[middle + i];
+      made.weight[middle + i] = made.weight[middle - i] = Kronrod::weights()[i];
+      // Gauss's places are the middle and every second from it, or those between.
+      if (i % 2 == 1 - middle % 2) made.gauss[middle + i] = made.gauss[middle - i] = Gauss::weights()[i / 2];
     }
+    return made;
   }
+  /// Three places are Gauss's own; the middle alone is the rule to compare with.
+  static KronrodRule of_three() {
+    const double out = std::sqrt(0.6);
+    return {{-out, 0.0, out}, {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}, {0.0, 2.0, 0.0}};
+  }
+  [[nodiscard]] std::size_t size() const { return at.size(); }
 };
-const KronrodRule& kronrod_rule() {
-  static const KronrodRule made;
-  return made;
+/// The one with most places of which so many pairs of pieces need no more than `most` in both ways.
+const KronrodRule& kronrod_rule(double pairs, double most) {
+  static const KronrodRule fine = KronrodRule::of<15>(), middling = KronrodRule::of<7>(),
+                           coarse = KronrodRule::of_three();
+  if (pairs * 15.0 * 15.0 <= most) return fine;
+  return pairs * 7.0 * 7.0 <= most ? middling : coarse;
 }
 
 /// The area element summed along u from the left of the chart.
 class Strip {
  public:
-  /// @param most  lines of fifteen places that it looks at; beyond them it halves no more, and tells the error.
-  Strip(const Surface& surface, double tolerance, std::size_t most)
-      : surface_(surface), tolerance_(tolerance), left_(most) {}
+  /// @param most  places that it looks at; beyond them it halves no more, and tells the error.
+  Strip(const Surface& surface, const KronrodRule& rule, double tolerance, std::size_t most)
+      : surface_(surface), rule_(rule), tolerance_(tolerance), most_(most), uv_(rule.size()), jets_(rule.size()) {}
+
+  [[nodiscard]] const KronrodRule& rule() const { return rule_; }
+  /// Places that were looked at.
+  [[nodiscard]] std::size_t seen() const { return seen_; }
 
   [[nodiscard]] Measured to(Point uv) const {
     const std::vector<double>& breaks = surface_.breaks().u;
@@ -58,28 +76,31 @@ class Strip {
 
  private:
   [[nodiscard]] Measured part(double from, double to, double v, int depth) const {
-    std::array<Point, 15> uv{};
-    std::array<Jet, 15> jets{};
     const double half = 0.5 * (to - from), middle = from + half;
-    for (std::size_t i = 0; i < 15; ++i) uv[i] = {middle + half * kronrod_rule().at[i], v};
-    surface_.jets(uv, jets);
+    for (std::size_t i = 0; i < rule_.size(); ++i) uv_[i] = {middle + half * rule_.at[i], v};
+    surface_.jets(uv_, jets_);
     double kronrod = 0.0, gauss = 0.0;
-    for (std::size_t i = 0; i < 15; ++i) {
-      const double element = geom::length(cross(jets[i].u, jets[i].v));
-      kronrod += kronrod_rule().weight[i] * element;
-      gauss += kronrod_rule().gauss[i] * element;
+    for (std::size_t i = 0; i < rule_.size(); ++i) {
+      const double element = geom::length(cross(jets_[i].u, jets_[i].v));
+      kronrod += rule_.weight[i] * element;
+      gauss += rule_.gauss[i] * element;
     }
+    seen_ += rule_.size();
     const Measured alone{half * kronrod, std::abs(half * (kronrod - gauss))};
     constexpr int deepest = 14;
-    left_ -= left_ > 0 ? 1 : 0;
-    if (!(alone.error > tolerance_ * std::abs(alone.value) + 1e-300) || depth == deepest || left_ == 0) return alone;
+    if (!(alone.error > tolerance_ * std::abs(alone.value) + 1e-300) || depth == deepest || seen_ >= most_)
+      return alone;
     const Measured a = part(from, middle, v, depth + 1), b = part(middle, to, v, depth + 1);
     return {a.value + b.value, a.error + b.error};
   }
 
   const Surface& surface_;
+  const KronrodRule& rule_;
   double tolerance_;
-  mutable std::size_t left_;
+  std::size_t most_;
+  mutable std::size_t seen_ = 0;
+  mutable std::vector<Point> uv_;
+  mutable std::vector<Jet> jets_;
 };
 
 /// A part of an edge, followed forwards or backwards.
@@ -94,14 +115,15 @@ struct LoopPart {
 void measure_part(const Strip& strip, LoopPart& piece) {
   const double half = 0.5 * (piece.to - piece.from), middle = piece.from + half;
   double kronrod = 0.0, gauss = 0.0, inner = 0.0;
-  for (std::size_t i = 0; i < 15; ++i) {
-    const Curve::Jet jet = piece.edge->curve.jet(middle + half * kronrod_rule().at[i]);
+  const KronrodRule& rule = strip.rule();
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const Curve::Jet jet = piece.edge->curve.jet(middle + half * rule.at[i]);
     const double slope = jet.first.y;
     if (slope == 0.0) continue;
     const Measured to_here = strip.to({jet.at.x, jet.at.y});
-    kronrod += kronrod_rule().weight[i] * slope * to_here.value;
-    gauss += kronrod_rule().gauss[i] * slope * to_here.value;
-    inner += kronrod_rule().weight[i] * std::abs(slope) * to_here.error;
+    kronrod += rule.weight[i] * slope * to_here.value;
+    gauss += rule.gauss[i] * slope * to_here.value;
+    inner += rule.weight[i] * std::abs(slope) * to_here.error;
   }
   piece.area = {half * kronrod, std::abs(half) * (std::abs(kronrod - gauss) + inner)};
 }
@@ -162,8 +184,17 @@ double area_of_loop_box(const TrimmedSurface& face) {
 }  // namespace
 
 Measured area(const TrimmedSurface& face, double tolerance) {
-  constexpr std::size_t most_lines = 200'000;
-  const Strip strip(face.surface, 0.1 * tolerance, most_lines);
+  constexpr std::size_t most_in_strips = 3'000'000, most_places = 6'000'000;
+  std::vector<LoopPart> parts;
+  for (const ChartLoop& loop : face.loops) {
+    for (const ChartEdge& edge : loop.edges) {
+      const std::vector<double> cuts = part_cuts_of(face.surface, edge);
+      for (std::size_t i = 1; i < cuts.size(); ++i) parts.push_back({&edge, cuts[i - 1], cuts[i], {}, 0});
+    }
+  }
+  // A grid of many pieces has small ones: few places do on each.
+  const double pairs = static_cast<double>(parts.size()) * static_cast<double>(face.surface.breaks().u.size());
+  const Strip strip(face.surface, kronrod_rule(0.5 * pairs, 0.5 * most_in_strips), 0.1 * tolerance, most_in_strips);
   std::priority_queue<LoopPart> pieces;
   Measured sum;
   const auto add = [&](LoopPart piece) {
@@ -172,17 +203,13 @@ Measured area(const TrimmedSurface& face, double tolerance) {
     sum.error += piece.area.error;
     pieces.push(piece);
   };
-  for (const ChartLoop& loop : face.loops) {
-    for (const ChartEdge& edge : loop.edges) {
-      const std::vector<double> cuts = part_cuts_of(face.surface, edge);
-      for (std::size_t i = 1; i < cuts.size(); ++i) add({&edge, cuts[i - 1], cuts[i], {}, 0});
-    }
-  }
+  for (const LoopPart& part : parts) add(part);
   constexpr double thin = 1e-3;
   constexpr std::size_t most = 20'000;
   constexpr int deepest = 40;
   const double least = thin * area_of_loop_box(face);
-  while (!pieces.empty() && pieces.size() < most && sum.error > tolerance * std::max(std::abs(sum.value), least)) {
+  while (!pieces.empty() && pieces.size() < most && strip.seen() < most_places &&
+         sum.error > tolerance * std::max(std::abs(sum.value), least)) {
     const LoopPart worst = pieces.top();
     pieces.pop();
     if (worst.depth == deepest) continue;  // its error stays in the sum

@@ -11,8 +11,9 @@ namespace dobra::surf::trim {
 /// ways. Pieces of loops are cut where the surface or the curve has a break, and halved, the worst first, until the sum
 /// of their errors is within the tolerance.
 /// @param tolerance  part of the area, or of that of the loops' box where the area is less than a thousandth of it.
-/// @return the error beside the value; it is greater than asked for where 20000 pieces do not do.
-/// @cost about 400 evaluations of the surface a smooth piece of a loop
+/// Surfaces of very many pieces have (3, 7), or 3 places alone on each.
+/// @return the error beside the value; it is greater than asked for where 20000 pieces or 6 million places do not do.
+/// @cost about 400 evaluations of the surface a smooth piece of a loop, times its pieces along u
 Measured area(const TrimmedSurface& face, double tolerance = 1e-8);
 
 }  // namespace dobra::surf::trim

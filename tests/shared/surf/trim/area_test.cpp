@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "tests/shared/surf/surface_shapes.h"
@@ -54,6 +55,40 @@ TEST(TrimmedArea, OfWholeChartsIsThatOfTheSurface) {
     EXPECT_NEAR(by_loop.value, whole.value, 1e-6 * whole.value) << kind.name;
     EXPECT_NEAR(by_loop.value, whole.value, 2.0 * (by_loop.error + whole.error) + 1e-12 * whole.value) << kind.name;
   }
+}
+
+/// A graph of 400 x 400 cubic pieces, cut by a slanting side, against the sum over a grid of the slopes of the formula.
+TEST(TrimmedArea, OfHundredsOfPiecesBothWaysTakesNoMinutes) {
+  constexpr std::size_t count = 403;
+  constexpr double step = 1.0 / 400.0;
+  std::vector<double> knots;
+  for (std::size_t i = 0; i < count + 4; ++i) knots.push_back((static_cast<double>(i) - 3.0) * step);
+  // Uniform B-splines keep x and y, and take cos(k x) times (2 + cos(k step)) / 3.
+  const double wave = 40.0, shrunk = std::pow((2.0 + std::cos(wave * step)) / 3.0, 2);
+  const auto at = [&](std::size_t i) { return (static_cast<double>(i) - 1.0) * step; };
+  std::vector<geom::Point3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j)
+      points.push_back({at(i), at(j), 0.02 / shrunk * std::cos(wave * at(i)) * std::cos(wave * at(j))});
+  }
+  const auto surface = Surface::nurbs(3, knots, 3, knots, points);
+  ASSERT_TRUE(surface);
+  const std::clock_t began = std::clock();
+  const Measured made = area({*surface, {polygon_loop({{0, 0}, {0.7, 0}, {1, 1}, {0, 1}})}});
+  const double took = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+  double sum = 0.0;
+  constexpr int places = 2000;
+  for (int j = 0; j < places; ++j) {
+    const double y = (j + 0.5) / places, width = 0.7 + 0.3 * y;
+    for (int i = 0; i < places; ++i) {
+      const double x = width * (i + 0.5) / places;
+      const double zx = 0.02 * wave * std::sin(wave * x) * std::cos(wave * y);
+      const double zy = 0.02 * wave * std::cos(wave * x) * std::sin(wave * y);
+      sum += std::sqrt(1.0 + zx * zx + zy * zy) * width / places / places;
+    }
+  }
+  EXPECT_NEAR(made.value, sum, 1e-5 * sum);
+  EXPECT_LT(took, 10.0);  // s of the processor; it was minutes
 }
 
 TEST(TrimmedArea, HolesTakeTheirsOff) {
