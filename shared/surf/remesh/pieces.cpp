@@ -64,10 +64,7 @@ std::vector<Finding> gathered(const std::vector<std::vector<Finding>>& of_pieces
     }
     told.insert(here.begin(), here.end());
   }
-  for (Finding& finding : all) {
-    const auto times = more.find(finding.code);
-    if (times != more.end()) finding.message += fmt::format(" (the like in {} more pieces)", times->second);
-  }
+  for (const auto& [code, times] : more) all.push_back({code, fmt::format("the like in {} more pieces", times), {}});
   return all;
 }
 
@@ -94,7 +91,8 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
     auto made = remesh_sheet(sheets[i], options, size, progress.part(done / of, (done + 1.0) / of));
     if (!made && made.error().code != ErrorCode::InvalidOption) return made;
     if (!made) {
-      const Finding stays{"piece_kept", "a piece too small for the size stays as it came: " + made.error().message,
+      const Finding stays{"piece_kept",
+                          fmt::format("a piece too small for the size stays as it came: {}", made.error().message),
                           made.error().place.value_or(base::Place{})};
       made = kept(sheets[i]);
       made->findings.push_back(stays);
