@@ -148,7 +148,7 @@ class Remesher {
                                fmt::format("the new mesh is {:.3g} off, which is much for sides of {:.3g}: give a "
                                            "chord, or a smaller size",
                                            made.deviation, size_),
-                               {}});
+                               place_of(worst)});
     }
     judge_area(made, worst);
     if (made.narrow_creases > 0) {
