@@ -46,9 +46,14 @@ void halve(mesh::FaceMesh& face, Side side, const Surface& surface) {
 
 void part_twice_joined(std::vector<mesh::FaceMesh>& faces, const mesh::Division& division,
                        const std::vector<trim::TrimmedSurface>& surfaces) {
+  std::vector<std::size_t> own{division.nodes};  // of a face: the number of its first node that no other has
+  for (const mesh::FaceMesh& face : faces) own.push_back(own.back() + face.chart.points.size());
   const auto nodes_of = [&](std::size_t face, Side side) {
-    const auto& node = division.faces[face].node;
-    return Side(std::minmax(node[side.first], node[side.second]));
+    const auto node = [&](std::size_t point) {
+      const auto& given = division.faces[face].node;
+      return point < given.size() ? given[point] : own[face] + point;
+    };
+    return Side(std::minmax(node(side.first), node(side.second)));
   };
   std::set<Side> lines;  // between nodes
   std::set<ChartSide> on_lines;
@@ -65,7 +70,7 @@ void part_twice_joined(std::vector<mesh::FaceMesh>& faces, const mesh::Division&
     for (const Corners& c : faces[f].chart.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         const Side ends = std::minmax(c[i].index(), c[(i + 1) % 3].index());
-        if (ends.second >= given || on_lines.contains({f, ends})) continue;
+        if (ends.first >= given || on_lines.contains({f, ends})) continue;
         inside[nodes_of(f, ends)].insert({f, ends});
       }
     }
