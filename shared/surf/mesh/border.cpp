@@ -142,7 +142,13 @@ class Maker {
         .face = face, .space = EdgeInSpace(trimmed.surface, edge), .line = line, .name = edge.name, .loop = loop};
     if (line == ChartLine::Kind::Crack && added.name.empty()) added.name = fmt::format("crack_{}", loop + 1);
     added.tolerance = std::max(edge.tolerance, closing_ * trimmed.surface.size());
-    added.point = added.space.length() <= 1e-3 * closing_ * trimmed.surface.size();
+    const geom::Box& chart = trimmed.surface.chart();
+    const bool ring = geom::distance(added.space.place(0.0), added.space.place(1.0)) <= closing_ * chart.diagonal();
+    // Of a chain of short edges not all are one point.
+    const bool after_point = !border_.edges.empty() && border_.edges.back().face == face &&
+                             border_.edges.back().loop == loop && border_.edges.back().point;
+    const double one_point = ring || after_point ? 1e-3 * closing_ * trimmed.surface.size() : added.tolerance;
+    added.point = added.space.length() <= one_point;
     const std::size_t number = border_.edges.size();
     border_.edges.push_back(std::move(added));
     add_cut(number, 0.0);

@@ -74,18 +74,10 @@ double allowed_by(double bend, const SizeOptions& sizes) {
   return size;
 }
 
-double greatest_bend(const surf::Jet& jet) {
-  const auto k = curvature(jet);
-  return k ? std::max(std::abs(k->least), std::abs(k->greatest)) : 0.0;
-}
-
-/// Of curve and surface at a place.
-double bend_at(const EdgeInSpace& edge, double s) {
-  double bend = greatest_bend(edge.surface().jet(edge.place(s)));
+double bend_of_curve(const EdgeInSpace& edge, double s) {
   const EdgeInSpace::Jet c = edge.jet(s);
   const double speed = geom::length(c.first);
-  if (speed > 0.0) bend = std::max(bend, geom::length(cross(c.first, c.second)) / (speed * speed * speed));
-  return bend;
+  return speed > 0.0 ? geom::length(cross(c.first, c.second)) / (speed * speed * speed) : 0.0;
 }
 
 /// What is wanted along an edge at a parameter: by its bend and the surface's, by a formula, and by the bends of the
@@ -100,8 +92,9 @@ class Wishes {
         most_bend_(1.0 / std::min(edge.tolerance, finest_bend * largest)) {}
 
   [[nodiscard]] double at(double s) const {
-    const double by_bend = allowed(bend_at(space_, s));
-    const double own = std::min({largest_, by_bend, sizes_.wanted_at(space_.place(s), space_.at(s))});
+    const Point uv = space_.place(s);
+    const double by_bend = std::min(allowed(bend_of_curve(space_, s)), by_surface(uv, space_.surface().jet(uv)));
+    const double own = std::min({largest_, by_bend, sizes_.wanted_at(uv, space_.at(s))});
     double size = beside(s, own, 1.0);
     if (both_sides_) size = std::min(size, beside(s, own, -1.0));
     return std::max(size, sizes_.least);
@@ -110,6 +103,9 @@ class Wishes {
  private:
   [[nodiscard]] double allowed(double bend) const {
     return allowed_by(std::isfinite(bend) ? std::min(bend, most_bend_) : bend, sizes_);
+  }
+  [[nodiscard]] double by_surface(Point uv, const surf::Jet& jet) const {
+    return allowed(followed_bend(space_.surface(), uv, jet, unnoticed_bend(largest_, sizes_), sizes_));
   }
   /// @param side  1: to the left, where the face is
   [[nodiscard]] double beside(double s, double own, double side) const {
@@ -129,7 +125,7 @@ class Wishes {
       const Point there = uv + step * own * way;
       if (!surface.chart().contains(there)) break;
       const surf::Jet inside = surface.jet(there);
-      const double by_bend = allowed(greatest_bend(inside));
+      const double by_bend = by_surface(there, inside);
       const double wanted = std::min(by_bend, sizes_.wanted_at(there, inside.at));
       size = std::min(size, wanted + (sizes_.growth - 1.0) * step * own);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "shared/surf/mesh/tips.h"
 #include "shared/surf/trim/finding.h"
@@ -22,6 +23,7 @@ using dobra::mesh::sizing::Quadtree;
 using dobra::mesh::sizing::SizedEdge;
 using dobra::mesh::sizing::SizeField;
 using geom::Point;
+using geom::Vector;
 
 namespace {
 
@@ -41,6 +43,22 @@ Result<void> validate(std::span<const dobra::mesh::delaunay::SizeRequest> reques
   return {};
 }
 
+double greatest_bend(const Jet& jet) {
+  const auto bent = curvature(jet);
+  return bent ? std::max(std::abs(bent->least), std::abs(bent->greatest)) : 0.0;
+}
+
+/// By turn and chord, for a greatest curvature.
+double size_by_bend(double bend, const SizeOptions& options) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!(bend > 0.0)) return none;
+  double size = options.turn > 0.0 ? 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / bend : none;
+  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
+  constexpr double longer = 1.6;
+  if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / bend) / longer);
+  return size;
+}
+
 /// What a place of the chart asks for and how it is stretched.
 struct Sample {
   double size = 0.0;
@@ -52,11 +70,17 @@ class Builder {
  public:
   Builder(const ScaledChart& chart, const SizeOptions& options, double largest, const geom::Box& box,
           std::span<const Tip> tips)
-      : chart_(chart), options_(options), largest_(largest), box_(box), tips_(tips) {}
+      : chart_(chart),
+        options_(options),
+        largest_(largest),
+        unnoticed_(unnoticed_bend(largest, options)),
+        box_(box),
+        tips_(tips) {}
 
   /// Of what shape and formula ask, the least at a place of the scaled chart, where `jet` is.
   [[nodiscard]] double size(Point p, const Jet& jet) const {
-    double by_shape = size_by_shape(jet, options_);
+    double by_shape =
+        size_by_bend(followed_bend(chart_.surface(), chart_.held(p), jet, unnoticed_, options_), options_);
     for (const Tip& tip : tips_) {
       const double distance = geom::distance(tip.at, jet.at);
       if (distance < tip_seen * largest_) by_shape *= tip_seen * largest_ / std::max(distance, 1e-12 * largest_);
@@ -112,6 +136,7 @@ class Builder {
   const ScaledChart& chart_;
   const SizeOptions& options_;
   const double largest_;
+  const double unnoticed_;
   const geom::Box box_;
   const std::span<const Tip> tips_;
 };
@@ -169,6 +194,73 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
   return tree;
 }
 
+/// How many windows round a corner of the chart where the isolines touch each other do not count.
+constexpr double flat_corner = 16.0;
+
+/// Whether the corner of the chart that is next has isolines that touch each other, and is so near.
+bool is_flat_corner(const Surface& surface, Point uv, Vector window) {
+  const geom::Box& chart = surface.chart();
+  const Point centre = chart.centre();
+  const Point corner{uv.x < centre.x ? chart.low.x : chart.high.x, uv.y < centre.y ? chart.low.y : chart.high.y};
+  if (std::abs(corner.x - uv.x) > flat_corner * window.x || std::abs(corner.y - uv.y) > flat_corner * window.y)
+    return false;
+  const Jet jet = surface.jet(corner);
+  constexpr double touching = 1e-6;
+  return geom::length(cross(jet.u, jet.v)) <= touching * geom::length(jet.u) * geom::length(jet.v);
+}
+
+/// Radians; 15 degrees where none is asked.
+double turn_of(const SizeOptions& options) {
+  return (options.turn > 0.0 ? options.turn : 15.0) * std::numbers::pi / 180.0;
+}
+
+/// The bend round a place, 1/m, from the normals at four places diagonally beside it, `extent` away; none where these
+/// turn by more than the turn: that bend is no smaller than the extent. Six jets.
+std::optional<double> bend_around(const Surface& surface, Point uv, double extent, const SizeOptions& options) {
+  const Metric here = metric(surface.jet(uv));
+  const geom::Box& chart = surface.chart();
+  const double half_u = std::min(extent / std::max(std::sqrt(here.e), 1e-300), 0.25 * chart.width());
+  const double half_v = std::min(extent / std::max(std::sqrt(here.g), 1e-300), 0.25 * chart.height());
+  // The window lies inside, as a side of the chart that is one point has no normal, nor has a corner where it is flat.
+  const double off = is_flat_corner(surface, uv, {half_u, half_v}) ? flat_corner : 2.0;
+  const auto window = [off](double at, double low, double high, double half) {
+    half = std::min(half, 0.25 * (high - low) / std::max(1.0, 0.5 * off));
+    const double middle = std::clamp(at, low + off * half, high - off * half);
+    return std::array{middle - half, middle + half};
+  };
+  const std::array us = window(uv.x, chart.low.x, chart.high.x, half_u);
+  const std::array vs = window(uv.y, chart.low.y, chart.high.y, half_v);
+  std::array<geom::Point3, 4> at;
+  std::array<geom::Vector3, 4> normals;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Jet jet = surface.jet({us[i % 2], vs[i / 2]});
+    at[i] = jet.at;
+    normals[i] = cross(jet.u, jet.v);
+    const double length = geom::length(normals[i]);
+    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+    normals[i] = (1.0 / length) * normals[i];
+  }
+  const double turn = turn_of(options);
+  double bend = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double angle = std::atan2(geom::length(cross(normals[i], normals[j])), dot(normals[i], normals[j]));
+      if (!(angle <= turn)) return std::nullopt;
+      const double apart = geom::distance(at[i], at[j]);
+      if (apart > 0.0) bend = std::max(bend, angle / apart);
+    }
+  }
+  return bend;
+}
+
+/// Whether a unit of the chart is so short, or isolines are so nearly one, that rounded coordinates bend the surface.
+bool is_narrow(const Surface& surface, const Jet& jet) {
+  constexpr double part = 1e-2;
+  const Metric m = metric(jet);
+  const double u = std::sqrt(m.e) * surface.chart().width(), v = std::sqrt(m.g) * surface.chart().height();
+  return std::min(u, v) < part * surface.size() || m.area() < part * std::sqrt(m.e * m.g);
+}
+
 Error too_small_to_tell(const ScaledChart& chart, Point at, double size) {
   return {
       ErrorCode::TooManyElements,
@@ -184,18 +276,19 @@ double largest_size(const Surface& surface, const SizeOptions& options) {
   return options.largest > 0.0 ? options.largest : surface.size() / 20.0;
 }
 
-double size_by_shape(const Jet& jet, const SizeOptions& options) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (!(options.turn > 0.0) && !(options.chord > 0.0)) return none;
-  const auto bent = curvature(jet);
-  if (!bent) return none;
-  const double most = std::max(std::abs(bent->least), std::abs(bent->greatest));
-  if (!(most > 0.0)) return none;
-  double size = options.turn > 0.0 ? 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / most : none;
-  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
-  constexpr double longer = 1.6;
-  if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / most) / longer);
-  return size;
+double size_by_shape(const Jet& jet, const SizeOptions& options) { return size_by_bend(greatest_bend(jet), options); }
+
+double unnoticed_bend(double largest, const SizeOptions& options) {
+  const double extent = 1e-3 * largest;
+  return options.chord > 0.0 ? std::min(extent, 0.25 * options.chord) : extent;
+}
+
+double followed_bend(const Surface& surface, Point uv, const Jet& jet, double extent, const SizeOptions& options) {
+  const double bend = greatest_bend(jet);
+  const double most = turn_of(options) / extent;
+  if (!(bend > most) && !(bend > 0.0 && is_narrow(surface, jet))) return bend;
+  const auto around = bend_around(surface, uv, extent, options);
+  return around ? std::min({bend, *around, most}) : bend;
 }
 
 Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,

@@ -40,5 +40,14 @@ base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const G
 double largest_size(const Surface& surface, const SizeOptions& options);
 /// The size that the shape of the surface asks for: by turn and chord; infinite where it is flat, or has no normal.
 double size_by_shape(const Jet& jet, const SizeOptions& options);
+/// The extent of bends that are not followed, m: a thousandth of the largest size, a quarter of the chord where one is
+/// asked. Coordinates of files are rounded, which bends surfaces without bound beside a side that is one point.
+double unnoticed_bend(double largest, const SizeOptions& options);
+/// The greatest curvature that sizes follow at a place, 1/m: that of the jet, but no bend of less extent. Where the jet
+/// bends by more than the turn within it, or the chart is next to one point or one line in space, the normals at four
+/// places diagonally beside it, so far away, must turn by more than the turn (15 degrees where none is asked), or they
+/// tell the bend.
+/// @cost  six jets there, else none
+double followed_bend(const Surface& surface, geom::Point uv, const Jet& jet, double extent, const SizeOptions& options);
 
 }  // namespace dobra::surf::mesh

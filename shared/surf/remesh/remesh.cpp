@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "shared/geom/box3.h"
 #include "shared/geom/predicates.h"
 #include "shared/surf/mesh/chart_mesher.h"
 #include "shared/surf/param/recovered.h"
@@ -96,7 +97,9 @@ class Remesher {
         options_(options),
         size_(size),
         sizes_(atlas_.before.points.size(), size),
-        tree_(atlas_.before.points, atlas_.before.triangles) {}
+        tree_(atlas_.before.points, atlas_.before.triangles) {
+    for (const Point3 p : atlas_.before.points) box_.add(p);
+  }
 
   Result<Remeshed> run(const base::Progress& progress) {
     for (const Part& part : atlas_.parts) {
@@ -122,12 +125,10 @@ class Remesher {
       for (const auto& places : made.mesh.places)
         made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
       turned = polish(made.mesh, atlas_.before, tree_);
-      if (const auto sound = mesh::check(made.mesh); !sound) {
-        return Error{ErrorCode::InvalidOption,
-                     fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one, such as {:.6g}",
-                                 size_, sound.error().message, std::min(0.5 * size_, mean_side(atlas_.before))),
-                     in_space_only(sound.error().place)};
-      }
+      if (const auto sound = mesh::check(made.mesh); !sound)
+        return too_large(sound.error().message, in_space_only(sound.error().place));
+      if (size_ > box_.diagonal() && mesh::quality_of(made.mesh).boundary_edges == 0)
+        return too_large("it is closed, and smaller than one side", place_of(atlas_.before.points[0]));
       made.rounds = round + 1;
       const bool finer = judge(made, worst);
       if (!(options_.chord > 0.0) || made.deviation <= options_.chord) break;
@@ -333,17 +334,19 @@ class Remesher {
     return mesh::join(surfaces, division, faces);
   }
 
+  [[nodiscard]] Error too_large(const std::string& why, const std::optional<base::Place>& place) const {
+    return {ErrorCode::InvalidOption,
+            fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one, such as {:.6g}", size_, why,
+                        std::min(0.5 * size_, mean_side(atlas_.before))),
+            place};
+  }
+
   /// Its input goes to the faces of the division.
   Result<mesh::FaceMesh> fill_part(std::size_t at, Network::Part network, mesh::Division& division,
                                    const base::Progress& progress) const {
     const Part& part = atlas_.parts[at];
-    if (lies_in_a_line(network.chart.points)) {
-      return Error{ErrorCode::InvalidOption,
-                   fmt::format("size {:.6g} is too large for this mesh: the lines that it is cut along would have too "
-                               "few sides; give a smaller one, such as {:.6g}",
-                               size_, std::min(0.5 * size_, mean_side(atlas_.before))),
-                   place_of(network.at[0])};
-    }
+    if (lies_in_a_line(network.chart.points))
+      return too_large("the lines that it is cut along have too few sides", place_of(network.at[0]));
     division.faces.push_back(
         {guides_[at].surface, std::move(network.chart), std::move(network.at), std::move(network.node)});
     const mesh::ChartInput& input = division.faces.back();
@@ -441,6 +444,7 @@ class Remesher {
   const Atlas atlas_;
   const RemeshOptions& options_;
   const double size_;
+  geom::Box3 box_;
   std::vector<double> sizes_;  ///< One a point of the sheet before the cut, m.
   const TriangleTree tree_;
   std::vector<Guide> guides_;  ///< One a part.

@@ -70,7 +70,8 @@ TEST(TwiceJoined, ANodeInsideThatIsJoinedWithBothBanksOfACutGetsSidesOfItsOwn) {
     border += count == 1 ? 1U : 0U;
   }
   EXPECT_EQ(border, 6U);
-  EXPECT_EQ(nodes.size() + mesh::join(tube.surfaces, tube.division, tube.faces)->triangles.size(), sides.size());  // a tube
+  EXPECT_EQ(nodes.size() + mesh::join(tube.surfaces, tube.division, tube.faces)->triangles.size(),
+            sides.size());  // a tube
 }
 
 }  // namespace
