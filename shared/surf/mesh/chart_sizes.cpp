@@ -95,7 +95,18 @@ class Builder {
     return {size(p, jet), std::sqrt(m.e), std::sqrt(m.g), m.area()};
   }
   /// Whether a cell must be seen more closely than by its corners.
-  [[nodiscard]] bool follows_badly(const Quadtree& tree, QuadCellId id, std::uint32_t first_look) const {
+  /// @param fine  counts those that must for bends of less extent than a thousandth of the largest size
+  [[nodiscard]] bool follows_badly(const Quadtree& tree, QuadCellId id, std::uint32_t first_look,
+                                   std::size_t& fine) const {
+    double least = largest_;
+    const bool badly = follows_badly(tree, id, first_look, least);
+    if (badly && least < unnoticed_) ++fine;
+    return badly;
+  }
+
+ private:
+  [[nodiscard]] bool follows_badly(const Quadtree& tree, QuadCellId id, std::uint32_t first_look,
+                                   double& least_size) const {
     constexpr double unnoticed = 0.1;
     constexpr double unstretched = 1.6;
     const geom::Box cell = tree.box(id);
@@ -114,6 +125,7 @@ class Builder {
                 std::max(most.area, s.area)};
       }
     }
+    least_size = least.size;
     const double side = tree.side(id) * std::max(most.along_x, most.along_y);
     if (side <= 0.5 * least.size) return false;
     const double longest = 8.0 * least.size;
@@ -132,7 +144,6 @@ class Builder {
     return false;
   }
 
- private:
   const ScaledChart& chart_;
   const SizeOptions& options_;
   const double largest_;
@@ -178,8 +189,12 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
     tree.refine_at(request.at, request.size / std::max({s.along_x, s.along_y, 1e-300}), factor);
   }
   const std::uint32_t look = first_look(chart.surface());
-  const auto badly = [&](QuadCellId id) { return builder.follows_badly(tree, id, look); };
-  if (!tree.refine_where(badly, tree.cell_count() + options.most_cells)) {
+  const std::size_t most_fine = options.most_cells / 20;
+  std::size_t fine = 0;
+  const auto badly = [&](QuadCellId id) {
+    return fine <= most_fine && builder.follows_badly(tree, id, look, fine);
+  };
+  if (!tree.refine_where(badly, tree.cell_count() + options.most_cells) || fine > most_fine) {
     const auto leaves = tree.leaves();
     const auto deepest = std::max_element(leaves.begin(), leaves.end(), [&](QuadCellId a, QuadCellId b) {
       return tree.cell(a).level < tree.cell(b).level;
@@ -241,6 +256,7 @@ std::optional<double> bend_around(const Surface& surface, Point uv, double exten
     normals[i] = (1.0 / length) * normals[i];
   }
   const double turn = turn_of(options);
+  const double most = turn / extent;
   double bend = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -250,7 +266,7 @@ std::optional<double> bend_around(const Surface& surface, Point uv, double exten
       if (apart > 0.0) bend = std::max(bend, angle / apart);
     }
   }
-  return bend;
+  return std::min(bend, most);
 }
 
 /// Whether a unit of the chart is so short, or isolines are so nearly one, that rounded coordinates bend the surface.
@@ -288,7 +304,7 @@ double followed_bend(const Surface& surface, Point uv, const Jet& jet, double ex
   const double most = turn_of(options) / extent;
   if (!(bend > most) && !(bend > 0.0 && is_narrow(surface, jet))) return bend;
   const auto around = bend_around(surface, uv, extent, options);
-  return around ? std::min({bend, *around, most}) : bend;
+  return around ? std::min(bend, *around) : bend;
 }
 
 Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const GivenSide> sides,
