@@ -15,6 +15,7 @@
 #include "recon/cli/section_document.h"
 #include "recon/cli/section_options.h"
 #include "recon/input/section_input.h"
+#include "shared/base/finding_text.h"
 #include "shared/cli/findings.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
@@ -101,7 +102,7 @@ Result<int> block_job(Session& session, const BlockOptions& options) {
     DOBRA_TRY_VOID(dobra::cli::print_json(json));
     return 0;
   }
-  for (const Finding& finding : block.findings) session.note(finding.message);
+  for (const Finding& finding : block.findings) session.note(base::line_of(finding));
   DOBRA_TRY_VOID(dobra::cli::print(table_of(block)));
   return 0;
 }
@@ -172,7 +173,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
     DOBRA_TRY_VOID(dobra::cli::print_json(json));
     return 0;
   }
-  for (const Finding& finding : findings) session.note(finding.message);
+  for (const Finding& finding : findings) session.note(base::line_of(finding));
   std::string text = fmt::format("{:>16}  unit\n", "area [m2]");
   for (const block::CutUnit& unit : made.units) text += fmt::format("{:>16.8g}  {}\n", unit.area, unit.name);
   DOBRA_TRY_VOID(dobra::cli::print(text + fmt::format("{:>16.8g}  all\n", made.area)));

@@ -40,7 +40,10 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
   const auto input = scenario::from_table<input::SectionInput>(table);
   model::Model model;
   if (!input.placed_sections.empty()) {
-    DOBRA_TRY(space::PlacedSections placed, space::read_placed(input, context, progress));
+    std::vector<base::Place> places;
+    for (const scenario::Table& row : std::get<std::vector<scenario::Table>>(*table.find("section")))
+      places.push_back(row.own_place);
+    DOBRA_TRY(space::PlacedSections placed, space::read_placed(input, context, progress, places));
     model.remarks = placed.remarks;
     model.findings.set(std::move(placed), {});
     return scenario::make_state(std::move(model));

@@ -8,6 +8,7 @@
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
 #include "recon/space/surface_file.h"
+#include "shared/base/finding_text.h"
 #include "shared/base/text.h"
 #include "shared/io/formats/line_files.h"
 
@@ -69,15 +70,7 @@ void add_surface_tables(const model::Model& model, std::vector<scenario::DataTab
 /// A line each, with its place.
 std::vector<std::string> surface_remarks(const std::vector<loft::Finding>& findings) {
   std::vector<std::string> remarks;
-  for (const loft::Finding& finding : findings) {
-    std::string at;
-    if (finding.place.x && finding.place.y) {
-      at = finding.place.z
-               ? fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", *finding.place.x, *finding.place.y, *finding.place.z)
-               : fmt::format(" at ({:.6g}, {:.6g})", *finding.place.x, *finding.place.y);
-    }
-    remarks.push_back(finding.message + at);
-  }
+  for (const loft::Finding& finding : findings) remarks.push_back(base::line_of(finding));
   return remarks;
 }
 

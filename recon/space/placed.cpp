@@ -24,11 +24,15 @@ struct ReadOne {
 Result<ReadOne> read_scenario(const std::filesystem::path& file, const base::Progress& progress) {
   DOBRA_TRY(const scenario::Document document, scenario::read_document(file));
   if (document.program != "recon")
-    return Error{ErrorCode::WrongProgram, fmt::format("a scenario of {}, not of recon", document.program)};
+    return Error{
+        ErrorCode::WrongProgram,
+        fmt::format("a scenario of {}, not of recon; name a scenario of recon, or a file of lines", document.program),
+        base::Place{.file = file.string()}};
   DOBRA_TRY_VOID(scenario::check(document.input, scenario::fields_of<input::SectionInput>(), "input"));
   const auto given = scenario::from_table<input::SectionInput>(document.input);
   if (!given.placed_sections.empty())
-    return Error{ErrorCode::BadSection, "holds [[input.section]] itself; name the files of its sections instead"};
+    return Error{ErrorCode::BadSection, "holds [[input.section]] itself; name the files of its sections instead",
+                 base::Place{.file = file.string()}};
   scenario::Context context;
   context.folder = document.folder();
   DOBRA_TRY(input::ReadSection read, read_section(given, context, progress));
@@ -65,9 +69,10 @@ Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const in
 }
 
 /// What is wrong in a section is told with the section, whatever item of it is meant.
-Error of_section(Error error, const std::string& item) {
+Error of_section(Error error, const std::string& item, base::Place table) {
   if (error.place && !error.place->item.empty()) error.message = fmt::format("{}: {}", item, error.message);
-  return base::located(std::move(error), {.item = item});
+  table.item = item;
+  return base::located(std::move(error), table);
 }
 
 /// What lies beside the trace is placed on its end pieces, gone on.
@@ -101,7 +106,7 @@ Result<loft::PlanTrace> plan_trace(const std::vector<double>& numbers, const std
 }
 
 Result<PlacedSections> read_placed(const input::SectionInput& input, const scenario::Context& context,
-                                   const base::Progress& progress) {
+                                   const base::Progress& progress, const std::vector<base::Place>& places) {
   if (!input.horizons.empty() || !input.faults.empty() || !input.units.empty() || !input.lines.empty())
     return Error{ErrorCode::BadSection,
                  "the input has lines of a section and [[input.section]]; put the lines into a file of their own, and "
@@ -111,16 +116,19 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
     return Error{ErrorCode::BadSection, "one [[input.section]] alone; surfaces take two sections at least",
                  base::Place{.item = "input"}};
   PlacedSections made;
-  for (const input::PlacedSectionInput& placed : input.placed_sections) {
+  for (std::size_t k = 0; k < input.placed_sections.size(); ++k) {
+    const input::PlacedSectionInput& placed = input.placed_sections[k];
+    const base::Place table = k < places.size() ? places[k] : base::Place{};
     DOBRA_TRY_VOID(progress.check());
     const std::string item = fmt::format("section '{}'", placed.name.empty() ? placed.file : placed.name);
     auto one = read_one(placed, input, context, progress, made.remarks);
-    if (!one) return of_section(one.error(), item);
+    if (!one) return of_section(one.error(), item, table);
     const bool twice = std::any_of(made.sections.begin(), made.sections.end(),
                                    [&](const PlacedSection& other) { return other.name == one->name; });
     if (twice)
-      return Error{ErrorCode::BadSection, "another section has this name already; give it a name of its own (name)",
-                   base::Place{.item = fmt::format("section '{}'", one->name)}};
+      return of_section(
+          {ErrorCode::BadSection, "another section has this name already; give it a name of its own (name)"},
+          fmt::format("section '{}'", one->name), table);
     tell_beyond(*one, made.remarks);
     made.sections.push_back(std::move(*one));
   }

@@ -184,8 +184,14 @@ TEST_F(SpaceCommands, SectionsThatCannotStandAreRefusedWithTheirName) {
           {"second", "where the section stands"});
   refuses({"surface", document("[[input.section]]\nname = \"first\"\nfile = \"a.csv\"\ntrace = [0, 9, 10, 9]\n")}, 3,
           {"'first'", "name already"});
-  refuses({"surface", document("[[input.section]]\nname = \"second\"\nfile = \"a.csv\"\ntrace = [0, 9, 0, 9]\n")}, 3,
-          {"second", "in one place"});
+  const std::string flat = document("[[input.section]]\nname = \"second\"\nfile = \"a.csv\"\ntrace = [0, 9, 0, 9]\n");
+  refuses({"surface", flat}, 3, {"d.toml:8", "second", "in one place"});
+  // The table of the second section begins in line 8.
+  const auto outcome = call({"surface", flat, "--json"});
+  const SpaceOut place = SpaceOut::parse(outcome.out)["findings"][0]["place"];
+  EXPECT_EQ(place["file"], flat);
+  EXPECT_EQ(place["line"], 8);
+  EXPECT_EQ(place["item"], "section 'second'");
 }
 
 }  // namespace
