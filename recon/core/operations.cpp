@@ -27,6 +27,7 @@
 #include "recon/model/chain.h"
 #include "recon/model/names.h"
 #include "recon/section/section_faces.h"
+#include "shared/base/finding_text.h"
 
 namespace recon::core {
 
@@ -44,7 +45,7 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
     for (const scenario::Table& row : std::get<std::vector<scenario::Table>>(*table.find("section")))
       places.push_back(row.own_place);
     DOBRA_TRY(space::PlacedSections placed, space::read_placed(input, context, progress, places));
-    model.remarks = placed.remarks;
+    for (const base::Finding& finding : placed.findings) model.remarks.push_back(base::line_of(finding));
     model.findings.set(std::move(placed), {});
     return scenario::make_state(std::move(model));
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "shared/geom/place.h"
 #include "shared/scenario/document.h"
 
 namespace recon::space {
@@ -53,7 +54,7 @@ Result<ReadOne> read_lines(const input::PlacedSectionInput& placed, input::Secti
 
 Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const input::SectionInput& around,
                                const scenario::Context& context, const base::Progress& progress,
-                               std::vector<std::string>& remarks) {
+                               std::vector<base::Finding>& findings) {
   if (!placed.trace.empty()) DOBRA_TRY_VOID(plan_trace(placed.trace, "trace"));
   const std::filesystem::path path = context.folder / placed.file;
   const bool is_scenario = path.extension() == ".toml";
@@ -64,7 +65,10 @@ Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const in
                  "where the section stands is not said; give its trace on the map, trace = [x0, y0, x1, y1]"};
   DOBRA_TRY(loft::PlanTrace plan, plan_trace(trace, "trace"));
   std::string name = placed.name.empty() ? path.stem().string() : placed.name;
-  for (const std::string& remark : one.read.remarks) remarks.push_back(fmt::format("section '{}': {}", name, remark));
+  for (const std::string& remark : one.read.remarks) {
+    const std::string item = fmt::format("section '{}'", name);
+    findings.push_back({"section_remark", fmt::format("{}: {}", item, remark), {.file = path.string(), .item = item}});
+  }
   return PlacedSection{std::move(name), std::move(one.read.section), std::move(plan)};
 }
 
@@ -75,16 +79,20 @@ Error of_section(Error error, const std::string& item, base::Place table) {
   return base::located(std::move(error), table);
 }
 
-/// What lies beside the trace is placed on its end pieces, gone on.
-void tell_beyond(const PlacedSection& placed, std::vector<std::string>& remarks) {
+/// What lies beside the trace is placed on its end pieces, gone on. Told where it leaves the trace.
+void tell_beyond(const PlacedSection& placed, std::vector<base::Finding>& findings) {
   const geom::Box box = box_of(placed.section);
   const double length = placed.trace.length(), same = 1e-9 * length;
-  const double beyond = std::max(-box.low.x, box.high.x - length);
-  if (beyond > same)
-    remarks.push_back(
-        fmt::format("section '{}' reaches {:.6g} m beyond the ends of its trace, which is {:.6g} m long; "
-                    "there the trace goes straight on",
-                    placed.name, beyond, length));
+  const double before = -box.low.x, behind = box.high.x - length;
+  const double beyond = std::max(before, behind);
+  if (beyond <= same) return;
+  const auto& corners = placed.trace.corners();
+  const geom::Point end = before > behind ? corners.front() : corners.back();
+  findings.push_back({"beyond_trace",
+                      fmt::format("section '{}' reaches {:.6g} m beyond the ends of its trace, which is {:.6g} m long; "
+                                  "there the trace goes straight on",
+                                  placed.name, beyond, length),
+                      geom::place_at(end, fmt::format("section '{}'", placed.name))});
 }
 
 }  // namespace
@@ -121,7 +129,7 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
     const base::Place table = k < places.size() ? places[k] : base::Place{};
     DOBRA_TRY_VOID(progress.check());
     const std::string item = fmt::format("section '{}'", placed.name.empty() ? placed.file : placed.name);
-    auto one = read_one(placed, input, context, progress, made.remarks);
+    auto one = read_one(placed, input, context, progress, made.findings);
     if (!one) return of_section(one.error(), item, table);
     const bool twice = std::any_of(made.sections.begin(), made.sections.end(),
                                    [&](const PlacedSection& other) { return other.name == one->name; });
@@ -129,7 +137,7 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
       return of_section(
           {ErrorCode::BadSection, "another section has this name already; give it a name of its own (name)"},
           fmt::format("section '{}'", one->name), table);
-    tell_beyond(*one, made.remarks);
+    tell_beyond(*one, made.findings);
     made.sections.push_back(std::move(*one));
   }
   return made;

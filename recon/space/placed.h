@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "recon/input/input.h"
+#include "shared/base/finding.h"
 #include "shared/surf/loft/sections.h"
 
 namespace recon::space {
@@ -18,7 +19,7 @@ struct PlacedSection {
 
 struct PlacedSections {
   std::vector<PlacedSection> sections;
-  std::vector<std::string> remarks;
+  std::vector<base::Finding> findings;  ///< section_remark: what reading one remarks; beyond_trace: with the place.
 };
 
 /// Files are scenarios of RECON, whose [input] is read, or lines in any format, read as the [input] says (unit, y_axis,
