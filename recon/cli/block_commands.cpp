@@ -144,7 +144,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
   DOBRA_TRY(scenario::Document document, section_document(session, {options.file, {}}));
   for (const auto& entry : options.input.entries()) document.input.set(entry.key, entry.value);
   const scenario::Table original = document.input;
-  DOBRA_TRY(const std::vector<double> trace, trace_of_cut(session, document));
+  DOBRA_TRY(const std::vector<double> trace, trace_of_cut(document));
   document.input.erase("cut");
   const std::filesystem::path folder = document.folder();
   DOBRA_TRY(const block::Block block, block_of(session, std::move(document)));
@@ -193,8 +193,6 @@ dobra::cli::Command block_command() {
           }};
 }
 
-Result<int> cut_block(Session& session, const BlockCutOptions& options) {
-  return with_findings(session, cut_job(session, options));
-}
+Result<int> cut_block(Session& session, const BlockCutOptions& options) { return cut_job(session, options); }
 
 }  // namespace recon::cli

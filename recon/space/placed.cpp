@@ -36,8 +36,9 @@ Result<ReadOne> read_scenario(const std::filesystem::path& file, const base::Pro
                  base::Place{.file = file.string()}};
   scenario::Context context;
   context.folder = document.folder();
-  DOBRA_TRY(input::ReadSection read, read_section(given, context, progress));
-  return ReadOne{std::move(read), given.trace};
+  auto read = read_section(given, context, progress);
+  if (!read) return base::located(read.error(), {.file = file.string()});
+  return ReadOne{std::move(*read), given.trace};
 }
 
 Result<ReadOne> read_lines(const input::PlacedSectionInput& placed, input::SectionInput around,
@@ -48,8 +49,9 @@ Result<ReadOne> read_lines(const input::PlacedSectionInput& placed, input::Secti
   around.lines = {std::move(lines)};
   // Lines that have map coordinates are laid into the plane of the trace.
   if (around.trace.empty() && placed.trace.size() == 4) around.trace = placed.trace;
-  DOBRA_TRY(input::ReadSection read, read_section(around, context, progress));
-  return ReadOne{std::move(read), {}};
+  auto read = read_section(around, context, progress);
+  if (!read) return base::located(read.error(), {.file = (context.folder / placed.file).string()});
+  return ReadOne{std::move(*read), {}};
 }
 
 Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const input::SectionInput& around,
@@ -72,11 +74,28 @@ Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const in
   return PlacedSection{std::move(name), std::move(one.read.section), std::move(plan)};
 }
 
-/// What is wrong in a section is told with the section, whatever item of it is meant.
+/// What is wrong in a section is told with the section, whatever item of it is meant; a file that cannot be read, with
+/// the table that names it too.
 Error of_section(Error error, const std::string& item, base::Place table) {
+  const bool no_text =
+      error.code == ErrorCode::FileNotFound || error.code == ErrorCode::NotAFile || error.code == ErrorCode::EmptyFile;
+  if (no_text && table.line > 0)
+    error.message +=
+        fmt::format("; the [[input.section]] at {} names it", fmt::format("{}:{}", table.file, table.line));
   if (error.place && !error.place->item.empty()) error.message = fmt::format("{}: {}", item, error.message);
   table.item = item;
   return base::located(std::move(error), table);
+}
+
+/// @error BadValue: no part of its lines lies over the trace
+Result<void> check_over_trace(const PlacedSection& placed) {
+  const geom::Box box = box_of(placed.section);
+  const double length = placed.trace.length();
+  if (box.low.x < length && box.high.x > 0.0) return {};
+  return Error{ErrorCode::BadValue,
+               fmt::format("no part of its lines is on its trace: they go from {:.6g} to {:.6g} m, the trace from 0 to "
+                           "{:.6g} m; correct the trace, or measure x of the lines from its first corner",
+                           box.low.x, box.high.x, length)};
 }
 
 /// What lies beside the trace is placed on its end pieces, gone on. Told where it leaves the trace.
@@ -120,6 +139,16 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
                  "the input has lines of a section and [[input.section]]; put the lines into a file of their own, and "
                  "name it in an [[input.section]]",
                  base::Place{.item = "input"}};
+  for (const auto& [key, given] : {std::pair("along_strike", input.along_strike.has_value()),
+                                   {"cut", !input.cut.empty()},
+                                   {"trace", !input.trace.empty()}}) {
+    if (given)
+      return Error{ErrorCode::BadSection,
+                   fmt::format("'{}' is for a document of one section; this one has several, each with a trace of its "
+                               "own: take it out",
+                               key),
+                   base::Place{.item = "input"}};
+  }
   if (input.placed_sections.size() < 2)
     return Error{ErrorCode::BadSection, "one [[input.section]] alone; surfaces take two sections at least",
                  base::Place{.item = "input"}};
@@ -137,6 +166,7 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
       return of_section(
           {ErrorCode::BadSection, "another section has this name already; give it a name of its own (name)"},
           fmt::format("section '{}'", one->name), table);
+    if (const auto over = check_over_trace(*one); !over) return of_section(over.error(), item, table);
     tell_beyond(*one, made.findings);
     made.sections.push_back(std::move(*one));
   }

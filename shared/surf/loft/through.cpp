@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -51,6 +52,12 @@ std::string piece_words(const PieceName& name) {
   if (name.low.empty()) return fmt::format("the piece that ends at fault '{}'", name.high);
   if (name.high.empty()) return fmt::format("the piece that begins at fault '{}'", name.low);
   return fmt::format("the piece between faults '{}' and '{}'", name.low, name.high);
+}
+
+/// Whether words are one but for capitals, of A to Z.
+bool same_letters(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char p, unsigned char q) { return std::tolower(p) == std::tolower(q); });
 }
 
 /// Lines whose ends say little of their way are turned so that they lie along the one before.
@@ -153,6 +160,19 @@ class Through {
     return {};
   }
 
+  /// The first name on another section that differs from this one by its capitals alone.
+  [[nodiscard]] std::string alike(const std::string& name, const std::vector<std::size_t>& which) const {
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      if (std::find(which.begin(), which.end(), s) != which.end()) continue;
+      for (const SectionLine& line : made_.sections[s].lines) {
+        if (same_letters(line.name, name))
+          return fmt::format("; section '{}' has '{}': write both alike if they are one", made_.sections[s].name,
+                             line.name);
+      }
+    }
+    return {};
+  }
+
   void tell_missing(const std::string& name, LineKind kind, const std::vector<std::size_t>& which) {
     if (which.size() == made_.sections.size()) return;
     std::vector<std::string> without;
@@ -165,10 +185,13 @@ class Through {
       const Section& section = made_.sections[which.front()];
       const auto line = std::find_if(section.lines.begin(), section.lines.end(),
                                      [&](const SectionLine& l) { return l.name == name; });
-      tell("single", fmt::format("{} is in section '{}' alone; a surface takes two", item, section.name),
+      tell("single",
+           fmt::format("{} is in section '{}' alone; a surface takes two{}", item, section.name, alike(name, which)),
            place_at(section.trace.in_space(line->line.points.front()), item));
     } else {
-      tell("missing", fmt::format("{} is not in {}; its surface passes without", item, fmt::join(without, ", ")),
+      tell("missing",
+           fmt::format("{} is not in {}; its surface passes without{}", item, fmt::join(without, ", "),
+                       alike(name, which)),
            {.item = item});
     }
   }
