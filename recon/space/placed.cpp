@@ -81,7 +81,7 @@ Error of_section(Error error, const std::string& item, base::Place table) {
       error.code == ErrorCode::FileNotFound || error.code == ErrorCode::NotAFile || error.code == ErrorCode::EmptyFile;
   if (no_text && table.line > 0)
     error.message +=
-        fmt::format("; the [[input.section]] at {} names it", fmt::format("{}:{}", table.file, table.line));
+        "; " + fmt::format("the [[input.section]] at {} names it", fmt::format("{}:{}", table.file, table.line));
   if (error.place && !error.place->item.empty()) error.message = fmt::format("{}: {}", item, error.message);
   table.item = item;
   return base::located(std::move(error), table);
