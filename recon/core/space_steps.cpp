@@ -216,6 +216,26 @@ scene::space::Layer curtain(const std::string& key, const std::string& title, co
   return layer;
 }
 
+/// Where surfaces go through the lines, the legend has their names, and a name of a line that a surface hides would
+/// stand before it. The curtain has a name of its own there, at the right end of its highest horizon.
+void call_section(scene::space::Layer& curtain, const section::Section& section) {
+  scene::Panel& panel = std::get<scene::space::Curtain>(curtain.content).section;
+  std::erase_if(panel.layers, [](const scene::Layer& layer) {
+    return std::holds_alternative<scene::Labels>(layer.content) && layer.key.starts_with("name_");
+  });
+  std::optional<geom::Point> at;
+  for (const section::Horizon& horizon : section.horizons) {
+    const geom::Point end = horizon.line.points.back();
+    if (!at || end.x > at->x || (end.x == at->x && end.y > at->y)) at = end;
+  }
+  if (!at) return;
+  scene::Style style;
+  style.line = {38, 50, 56, 255};
+  style.text_size = 8.0;
+  panel.layers.push_back({"name_of_section", curtain.title, style,
+                          scene::Labels{{{*at, curtain.title, scene::Anchor::Centre}}}, true, scene::InLegend::No});
+}
+
 /// The colour of a horizon is that of the first section that has it.
 scene::Color color_of(const loft::NamedSurface& surface, const space::PlacedSections& placed) {
   if (surface.kind == loft::LineKind::Fault) return {176, 42, 42, 255};
@@ -266,9 +286,11 @@ void draw_placed_in_space(const model::Model& model, scene::space::SpacePicture&
   const auto* placed = model.findings.get<space::PlacedSections>();
   if (placed == nullptr) return;
   picture.camera = scene::space::camera_of(scene::space::StandardView::Isometric);
+  const bool surfaces = model.findings.get<space::MadeSurfaces>() != nullptr;
   for (std::size_t k = 0; k < placed->sections.size(); ++k) {
     const space::PlacedSection& one = placed->sections[k];
     picture.layers.push_back(curtain(fmt::format("section_{}", k), one.name, one.section, one.trace));
+    if (surfaces) call_section(picture.layers.back(), one.section);
   }
   if (const auto* made = model.findings.get<space::MadeSurfaces>()) {
     for (std::size_t i = 0; i < made->made.surfaces.size(); ++i)
@@ -277,6 +299,7 @@ void draw_placed_in_space(const model::Model& model, scene::space::SpacePicture&
   const auto* cut = model.findings.get<space::CutSection>();
   if (cut == nullptr) return;
   picture.layers.push_back(curtain("cut", translated("New section"), cut->section, cut->trace));
+  call_section(picture.layers.back(), cut->section);
   if (!is_done(model)) return;
   scene::space::Layer after = curtain("restored", translated("Restored section"), current_section(model), cut->trace);
   after.visible = false;  // it would stand in the one before
