@@ -186,9 +186,10 @@ base::Result<UnitMap> by_polygons(const section::Section& section) {
     for (const section::Misfit& misfit : section.faces->misfits) {
       map.findings.push_back(
           {misfit.what,
-           fmt::format(
-               "{} of {:.4g} m2 between the units {}: {}", misfit.what, misfit.area, misfit.between,
-               misfit.what == "gap" ? "the block is open there" : "the block has the one that is drawn upon the other"),
+           fmt::format("{}: {}", words_of(misfit),
+                       misfit.what == "gap"
+                           ? "no unit of the block is there; draw a unit there, or draw these up to each other"
+                           : "the block has the one that is drawn upon the other"),
            geom::place_at(misfit.place)});
     }
   }

@@ -15,6 +15,7 @@
 #include "recon/cli/section_document.h"
 #include "recon/cli/section_options.h"
 #include "recon/input/section_input.h"
+#include "shared/base/finding_text.h"
 #include "shared/cli/findings.h"
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
@@ -101,7 +102,7 @@ Result<int> block_job(Session& session, const BlockOptions& options) {
     DOBRA_TRY_VOID(dobra::cli::print_json(json));
     return 0;
   }
-  for (const Finding& finding : block.findings) session.note(finding.message);
+  for (const Finding& finding : block.findings) session.note(base::line_of(finding));
   DOBRA_TRY_VOID(dobra::cli::print(table_of(block)));
   return 0;
 }
@@ -143,7 +144,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
   DOBRA_TRY(scenario::Document document, section_document(session, {options.file, {}}));
   for (const auto& entry : options.input.entries()) document.input.set(entry.key, entry.value);
   const scenario::Table original = document.input;
-  DOBRA_TRY(const std::vector<double> trace, trace_of_cut(session, document));
+  DOBRA_TRY(const std::vector<double> trace, trace_of_cut(document));
   document.input.erase("cut");
   const std::filesystem::path folder = document.folder();
   DOBRA_TRY(const block::Block block, block_of(session, std::move(document)));
@@ -172,7 +173,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
     DOBRA_TRY_VOID(dobra::cli::print_json(json));
     return 0;
   }
-  for (const Finding& finding : findings) session.note(finding.message);
+  for (const Finding& finding : findings) session.note(base::line_of(finding));
   std::string text = fmt::format("{:>16}  unit\n", "area [m2]");
   for (const block::CutUnit& unit : made.units) text += fmt::format("{:>16.8g}  {}\n", unit.area, unit.name);
   DOBRA_TRY_VOID(dobra::cli::print(text + fmt::format("{:>16.8g}  all\n", made.area)));
@@ -192,8 +193,6 @@ dobra::cli::Command block_command() {
           }};
 }
 
-Result<int> cut_block(Session& session, const BlockCutOptions& options) {
-  return with_findings(session, cut_job(session, options));
-}
+Result<int> cut_block(Session& session, const BlockCutOptions& options) { return cut_job(session, options); }
 
 }  // namespace recon::cli

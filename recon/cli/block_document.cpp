@@ -70,10 +70,10 @@ Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document d
   return block;
 }
 
-Result<std::vector<double>> trace_of_cut(dobra::cli::Session& session, const scenario::Document& document) {
+Result<std::vector<double>> trace_of_cut(const scenario::Document& document) {
   const scenario::Value* const given = document.input.find("cut");
   if (given == nullptr) return Error{ErrorCode::BadUsage, "give --trace x0,y0,x1,y1: where the cut runs on the map"};
-  (void)session;
+  DOBRA_TRY_VOID(scenario::check(document.input, scenario::fields_of<input::SectionInput>(), "input"));
   std::vector<double> numbers = scenario::from_table<input::SectionInput>(document.input).cut;
   if (numbers.size() != 4) {
     return Error{

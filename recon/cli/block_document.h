@@ -16,7 +16,7 @@ namespace recon::cli {
 base::Result<block::Block> block_of(dobra::cli::Session& session, dobra::scenario::Document document);
 
 /// The four numbers of `cut`, in metres. @error BadUsage: none, or not four
-base::Result<std::vector<double>> trace_of_cut(dobra::cli::Session& session, const dobra::scenario::Document& document);
+base::Result<std::vector<double>> trace_of_cut(const dobra::scenario::Document& document);
 
 /// The section as a scenario without steps.
 /// @param original  the input that the block was made of; lines keep its colours.

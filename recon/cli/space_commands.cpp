@@ -84,6 +84,8 @@ Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
   DOBRA_TRY_VOID(check_out(options.out));
   DOBRA_TRY(scenario::Document document, with_surface_step(session, options));
   DOBRA_TRY(scenario::Step step, step_of(session, "cut", options.cut));
+  if (step.params.find("trace") == nullptr)
+    return base::Error{base::ErrorCode::BadUsage, "give --trace x0,y0,x1,y1: where the cut runs on the map"};
   document.steps.push_back(std::move(step));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
@@ -119,7 +121,7 @@ Result<int> cut_job(Session& session, const SpaceOptions& options) {
   if (options.block.any())
     return base::Error{base::ErrorCode::BadUsage,
                        "--along-strike is for a document of one section; this one has several in space"};
-  return with_refusal(session, cut_surfaces(session, options));
+  return cut_surfaces(session, options);
 }
 
 }  // namespace
@@ -140,7 +142,7 @@ dobra::cli::Command cut_command() {
             options->cut.add(app, scenario::fields_of<space::CutParams>());
             options->block.add(app, scenario::fields_of<input::SectionInput>(), {"along_strike"});
             add_out(app, options->out, "lines of the new section");
-            return [options](Session& session) { return cut_job(session, *options); };
+            return [options](Session& session) { return with_refusal(session, cut_job(session, *options)); };
           }};
 }
 

@@ -15,6 +15,17 @@ namespace {
 using SpaceJson = nlohmann::ordered_json;
 namespace loft = dobra::surf::loft;
 
+/// Of the sections as they were read, then of the surfaces through them.
+std::vector<loft::Finding> findings_of_surfaces(const model::Model& model) {
+  std::vector<loft::Finding> findings;
+  const auto add = [&](const std::vector<loft::Finding>& more) {
+    findings.insert(findings.end(), more.begin(), more.end());
+  };
+  if (const auto* placed = model.findings.get<space::PlacedSections>()) add(placed->findings);
+  if (const auto* made = model.findings.get<space::MadeSurfaces>()) add(made->made.findings);
+  return findings;
+}
+
 }  // namespace
 
 SpaceJson surfaces_json(const model::Model& model) {
@@ -45,7 +56,7 @@ SpaceJson surfaces_json(const model::Model& model) {
                        {"unsure", row.volume.unsure}});
   json["surfaces"] = std::move(surfaces);
   json["volumes"] = std::move(volumes);
-  json["findings"] = dobra::cli::findings_json(made.made.findings, {});
+  json["findings"] = dobra::cli::findings_json(findings_of_surfaces(model), {});
   return json;
 }
 
@@ -87,9 +98,10 @@ SpaceJson cut_json(const model::Model& model) {
   for (const section::Horizon& h : cut.section.horizons) add(h.name, h.piece_of, "horizon", h.line);
   for (const section::SectionLine& l : cut.section.lines) add(l.name, l.piece_of, kind_name(l.kind), l.line);
   json["lines"] = std::move(lines);
-  std::vector<loft::Finding> findings = cut.findings;
-  if (const auto* made = model.findings.get<space::MadeSurfaces>())
-    findings.insert(findings.begin(), made->made.findings.begin(), made->made.findings.end());
+  std::vector<loft::Finding> findings = findings_of_surfaces(model);
+  findings.insert(findings.end(), cut.findings.begin(), cut.findings.end());
+  for (const std::string& remark : cut.remarks)
+    findings.push_back({"section_remark", remark, {.item = "the new section"}});
   json["findings"] = dobra::cli::findings_json(findings, {});
   return json;
 }

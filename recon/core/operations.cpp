@@ -27,6 +27,7 @@
 #include "recon/model/chain.h"
 #include "recon/model/names.h"
 #include "recon/section/section_faces.h"
+#include "shared/base/finding_text.h"
 
 namespace recon::core {
 
@@ -40,8 +41,11 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
   const auto input = scenario::from_table<input::SectionInput>(table);
   model::Model model;
   if (!input.placed_sections.empty()) {
-    DOBRA_TRY(space::PlacedSections placed, space::read_placed(input, context, progress));
-    model.remarks = placed.remarks;
+    std::vector<base::Place> places;
+    for (const scenario::Table& row : std::get<std::vector<scenario::Table>>(*table.find("section")))
+      places.push_back(row.own_place);
+    DOBRA_TRY(space::PlacedSections placed, space::read_placed(input, context, progress, places));
+    for (const base::Finding& finding : placed.findings) model.remarks.push_back(base::line_of(finding));
     model.findings.set(std::move(placed), {});
     return scenario::make_state(std::move(model));
   }

@@ -8,6 +8,7 @@
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
 #include "recon/space/surface_file.h"
+#include "shared/base/finding_text.h"
 #include "shared/base/text.h"
 #include "shared/io/formats/line_files.h"
 
@@ -69,15 +70,7 @@ void add_surface_tables(const model::Model& model, std::vector<scenario::DataTab
 /// A line each, with its place.
 std::vector<std::string> surface_remarks(const std::vector<loft::Finding>& findings) {
   std::vector<std::string> remarks;
-  for (const loft::Finding& finding : findings) {
-    std::string at;
-    if (finding.place.x && finding.place.y) {
-      at = finding.place.z
-               ? fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", *finding.place.x, *finding.place.y, *finding.place.z)
-               : fmt::format(" at ({:.6g}, {:.6g})", *finding.place.x, *finding.place.y);
-    }
-    remarks.push_back(finding.message + at);
-  }
+  for (const loft::Finding& finding : findings) remarks.push_back(base::line_of(finding));
   return remarks;
 }
 
@@ -223,6 +216,26 @@ scene::space::Layer curtain(const std::string& key, const std::string& title, co
   return layer;
 }
 
+/// Where surfaces go through the lines, the legend has their names, and a name of a line that a surface hides would
+/// stand before it. The curtain has a name of its own there, at the right end of its highest horizon.
+void call_section(scene::space::Layer& curtain, const section::Section& section) {
+  scene::Panel& panel = std::get<scene::space::Curtain>(curtain.content).section;
+  std::erase_if(panel.layers, [](const scene::Layer& layer) {
+    return std::holds_alternative<scene::Labels>(layer.content) && layer.key.starts_with("name_");
+  });
+  std::optional<geom::Point> at;
+  for (const section::Horizon& horizon : section.horizons) {
+    const geom::Point end = horizon.line.points.back();
+    if (!at || end.x > at->x || (end.x == at->x && end.y > at->y)) at = end;
+  }
+  if (!at) return;
+  scene::Style style;
+  style.line = {38, 50, 56, 255};
+  style.text_size = 8.0;
+  panel.layers.push_back({"name_of_section", curtain.title, style,
+                          scene::Labels{{{*at, curtain.title, scene::Anchor::Centre}}}, true, scene::InLegend::No});
+}
+
 /// The colour of a horizon is that of the first section that has it.
 scene::Color color_of(const loft::NamedSurface& surface, const space::PlacedSections& placed) {
   if (surface.kind == loft::LineKind::Fault) return {176, 42, 42, 255};
@@ -273,9 +286,11 @@ void draw_placed_in_space(const model::Model& model, scene::space::SpacePicture&
   const auto* placed = model.findings.get<space::PlacedSections>();
   if (placed == nullptr) return;
   picture.camera = scene::space::camera_of(scene::space::StandardView::Isometric);
+  const bool surfaces = model.findings.get<space::MadeSurfaces>() != nullptr;
   for (std::size_t k = 0; k < placed->sections.size(); ++k) {
     const space::PlacedSection& one = placed->sections[k];
     picture.layers.push_back(curtain(fmt::format("section_{}", k), one.name, one.section, one.trace));
+    if (surfaces) call_section(picture.layers.back(), one.section);
   }
   if (const auto* made = model.findings.get<space::MadeSurfaces>()) {
     for (std::size_t i = 0; i < made->made.surfaces.size(); ++i)
@@ -284,6 +299,7 @@ void draw_placed_in_space(const model::Model& model, scene::space::SpacePicture&
   const auto* cut = model.findings.get<space::CutSection>();
   if (cut == nullptr) return;
   picture.layers.push_back(curtain("cut", translated("New section"), cut->section, cut->trace));
+  call_section(picture.layers.back(), cut->section);
   if (!is_done(model)) return;
   scene::space::Layer after = curtain("restored", translated("Restored section"), current_section(model), cut->trace);
   after.visible = false;  // it would stand in the one before

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "recon/section/face_contours.h"
+#include "recon/section/open_gaps.h"
 #include "recon/section/rejoin.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/contour.h"
@@ -396,6 +397,9 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
     }
     misfits.push_back(std::move(misfit));
   }
+  if (!section.border) {
+    for (Misfit& gap : open_gaps(section, arrangement, within)) misfits.push_back(std::move(gap));
+  }
   return misfits;
 }
 
@@ -481,6 +485,14 @@ base::Result<UnitFaces> unit_faces_of(const Section& as_given) {
   return all;
 }
 
+std::string words_of(const Misfit& misfit) {
+  if (misfit.open_over > 0.0) {
+    return fmt::format("{} of {:.4g} m2, {:.4g} m wide and open at the side of the drawing, between the units {}",
+                       misfit.what, misfit.area, misfit.open_over, misfit.between);
+  }
+  return fmt::format("{} of {:.4g} m2 between the units {}", misfit.what, misfit.area, misfit.between);
+}
+
 std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& section) {
   std::vector<std::string> remarks;
   for (const HorizonMeeting& pair : faces.meetings) {
@@ -509,8 +521,7 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
     if (count == 0) continue;
     const std::string all =
         count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
-    remarks.push_back(fmt::format("{}{} of {:.4g} m2 between the units {} at {}", all, what, greatest->area,
-                                  greatest->between, greatest->place));
+    remarks.push_back(fmt::format("{}{} at {}", all, words_of(*greatest), greatest->place));
   }
   return remarks;
 }

@@ -37,7 +37,10 @@ struct Misfit {
   std::string between;
   double area = 0.0;  ///< m2
   geom::Point place;
+  double open_over = 0.0;  ///< How wide a gap is that is open at the side of the drawing, m; 0: it is closed.
 };
+/// "gap of 3 m2 between the units A, B", and how wide an open one is.
+std::string words_of(const Misfit& misfit);
 
 /// A horizon under which the section's made border is open, though another one lies below it.
 struct OpenPlace {

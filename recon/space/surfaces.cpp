@@ -53,12 +53,14 @@ Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfacePa
   DOBRA_TRY(made.made, loft::surfaces_through(std::move(sections), options));
   if (made.made.surfaces.empty()) {
     const auto& findings = made.made.findings;
+    if (findings.empty() || findings.front().code == "single") {
+      std::string message = "the sections have no line in common; call what belongs together by one name";
+      if (findings.empty()) return Error{ErrorCode::BadSection, std::move(message)};
+      return Error{ErrorCode::BadSection, message + ": " + findings.front().message, findings.front().place};
+    }
     return Error{ErrorCode::BadSection,
-                 findings.empty()
-                     ? std::string("the sections have no line in common; call what belongs together by one "
-                                   "name")
-                     : fmt::format("no surface goes through the sections: {}", findings.front().message),
-                 findings.empty() ? base::Place{} : findings.front().place};
+                 fmt::format("no surface goes through the sections: {}", findings.front().message),
+                 findings.front().place};
   }
   for (const loft::NamedSurface& surface : made.made.surfaces) {
     made.rows.push_back(row_of(surface, made.made));

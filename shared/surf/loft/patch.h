@@ -32,11 +32,19 @@ struct LatticeLines {
 /// @error TooManyElements: more than 4 million triangles
 base::Result<Patch> lattice(Surface surface, const LatticeLines& lines);
 
+/// Lines of a name on two sections beside each other that no patch joins, as where a fault ends above one of them.
+struct Unjoined {
+  std::string first, second;         ///< The sections.
+  std::vector<geom::Point3> points;  ///< Of the lines.
+  double plan = 0.0;                 ///< Area on the map that a patch between them would have at the most, m2.
+};
+
 /// All patches of one name.
 struct NamedSurface {
   std::string name;
   LineKind kind = LineKind::Horizon;
   std::vector<Patch> patches;
+  std::vector<Unjoined> unjoined = {};
 };
 
 }  // namespace dobra::surf::loft

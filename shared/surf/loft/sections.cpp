@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "shared/geom/box3.h"
 #include "shared/geom/intersect.h"
@@ -51,6 +53,15 @@ base::Result<PlanTrace> PlanTrace::make(std::vector<Point> corners) {
   }
   const geom::Polyline line{corners, false};
   DOBRA_TRY_VOID(check_simple(line));
+  const double length = geom::length(line);
+  double most = 0.0;
+  for (const Point p : corners) most = std::max({most, std::abs(p.x), std::abs(p.y)});
+  if (!(most * std::numeric_limits<double>::epsilon() <= 1e-6 * length))
+    return Error{ErrorCode::DegenerateCurve,
+                 fmt::format("the trace is {:.6g} m long and so far from the origin that numbers tell its places no "
+                             "longer apart; correct its corners",
+                             length),
+                 on_map_at(corners.front())};
   return PlanTrace(std::move(corners), geom::arc_lengths(line));
 }
 

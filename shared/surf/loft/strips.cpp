@@ -205,10 +205,11 @@ class Stripping {
           made_.upper.push_back(t);
         }
       }
-      tell_rest(pair);
+      tell_rest(pair, lower_, upper_);
     }
     tell_alone(upper_, of_upper, lower_);
     tell_alone(lower_, of_lower, upper_);
+    tell_unjoined();
     return std::move(made_);
   }
 
@@ -238,7 +239,8 @@ class Stripping {
         if (turned) turn_over(t);
         strips.push_back(t);
       }
-      tell_rest(pair);
+      const NamedSurface& other = &horizon == &upper_ ? lower_ : upper_;
+      tell_rest(pair, other, other);
     }
     return borders;
   }
@@ -252,13 +254,117 @@ class Stripping {
   }
 
   /// Sections where a border has no partner.
-  void tell_rest(const BorderPair& pair) {
+  /// @param below_first, below_second  the horizon on the other side of what each border bounds
+  void tell_rest(const BorderPair& pair, const NamedSurface& below_first, const NamedSurface& below_second) {
     for (const FaultBorder* border : {pair.first, pair.second}) {
-      if (border->patch->sections.size() == pair.shared.count) continue;
+      const std::size_t all = border->patch->sections.size(), shared = pair.shared.count;
+      if (all == shared) continue;
+      const bool first = border == pair.first;
+      const std::size_t from = first ? pair.shared.in_first : pair.shared.in_second, to = from + shared;
+      const NamedSurface& other = first ? below_first : below_second;
+      double most = 0.0;
+      if (from > 0) most += wedge(*border, 0, from + 1, other);
+      if (to < all) most += wedge(*border, to - 1, all - to + 1, other);
+      made_.unsure += most;
       tell(*border,
            fmt::format("between '{}' and '{}' a piece at fault '{}' is on {} sections and its partner on {} of "
                        "them; beyond these the volume is that over the map, not up to the fault",
-                       upper_.name, lower_.name, border->fault(), border->patch->sections.size(), pair.shared.count));
+                       upper_.name, lower_.name, border->fault(), all, shared) +
+               (most > 0.0 ? fmt::format(", and differs by less than {:.6g} m3 from that", most) : ""));
+    }
+  }
+
+  /// Bounds what lies between the upright below a border and its fault, gone on to the other horizon: as long as the
+  /// border, as wide as the fault goes sideways over the heights between, and as high as these. 0 without such.
+  [[nodiscard]] double wedge(const FaultBorder& border, std::size_t first, std::size_t count,
+                             const NamedSurface& other) const {
+    const NamedSurface* along = fault(border.fault());
+    if (along == nullptr) return 0.0;
+    double sideways = 0.0;  // for a metre of depth
+    for (const Patch& patch : along->patches) {
+      for (const auto& t : patch.triangles) {
+        const Vector3 n = geom::cross(patch.points[t[1]] - patch.points[t[0]], patch.points[t[2]] - patch.points[t[0]]);
+        sideways = std::max(sideways, std::abs(n.z) / std::hypot(n.x, n.y));
+      }
+    }
+    if (sideways <= 1e-9) return 0.0;  // upright
+    const BorderLine line = border_line(border, first, count);
+    geom::Box box;
+    double stretch = 0.0, low = INFINITY, high = -INFINITY;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const Point3 p = line.points[i];
+      box.add(Point{p.x, p.y});
+      low = std::min(low, p.z), high = std::max(high, p.z);
+      if (i > 0) stretch += std::hypot(p.x - line.points[i - 1].x, p.y - line.points[i - 1].y);
+    }
+    // How wide is not known before how high is; nothing is wider than the other horizon.
+    geom::Box all;
+    for (const Patch& patch : other.patches) {
+      for (const Point3 p : patch.points) all.add(Point{p.x, p.y});
+    }
+    double wide = 0.0, of_heights = 0.0;
+    for (int round = 0; round < 3; ++round) {
+      geom::Box near{{box.low.x - wide, box.low.y - wide}, {box.high.x + wide, box.high.y + wide}};
+      double least = low, most = high;
+      bool any = false;
+      for (const Patch& patch : other.patches) {
+        for (const auto& t : patch.triangles) {
+          geom::Box of;
+          for (const std::uint32_t k : t) of.add(Point{patch.points[k].x, patch.points[k].y});
+          if (!of.overlaps(near)) continue;
+          any = true;
+          for (const std::uint32_t k : t) {
+            least = std::min(least, patch.points[k].z);
+            most = std::max(most, patch.points[k].z);
+          }
+        }
+      }
+      if (!any) return 0.0;
+      of_heights = most - least;
+      wide = std::min(sideways * of_heights, all.diagonal());
+    }
+    return stretch * wide * of_heights;
+  }
+
+  /// Between sections where a line is in other pieces on the one than on the other no surface is laid.
+  void tell_unjoined() {
+    for (const NamedSurface* horizon : {&upper_, &lower_}) {
+      for (const Unjoined& gap : horizon->unjoined) {
+        double plan = gap.plan;
+        if (horizon == &lower_) {  // counted with the upper one
+          for (const Unjoined& other : upper_.unjoined) {
+            if (other.first == gap.first && other.second == gap.second) plan = std::max(0.0, plan - other.plan);
+          }
+        }
+        geom::Box box;
+        Point3 middle{};
+        double low = INFINITY, high = -INFINITY;
+        for (const Point3 p : gap.points) {
+          box.add(Point{p.x, p.y});
+          low = std::min(low, p.z), high = std::max(high, p.z);
+          middle = middle + (1.0 / static_cast<double>(gap.points.size())) * (p - Point3{});
+        }
+        for (const NamedSurface* of : {&upper_, &lower_}) {
+          const auto count = [&](Point3 p) {
+            if (p.x < box.low.x || p.x > box.high.x || p.y < box.low.y || p.y > box.high.y) return;
+            low = std::min(low, p.z), high = std::max(high, p.z);
+          };
+          for (const Patch& patch : of->patches) std::for_each(patch.points.begin(), patch.points.end(), count);
+          for (const Unjoined& other : of->unjoined) {
+            if (other.first != gap.first || other.second != gap.second) continue;
+            for (const Point3 p : other.points) low = std::min(low, p.z), high = std::max(high, p.z);
+          }
+        }
+        const double most = plan * (high - low);
+        made_.unsure += most;
+        made_.findings.push_back(
+            {"volume_at_fault",
+             fmt::format("'{}' is in other pieces in section '{}' than in '{}', and nothing joins them; the volume "
+                         "between '{}' and '{}' leaves out less than {:.6g} m3 there; draw the faults to the same "
+                         "depth in both",
+                         horizon->name, gap.first, gap.second, upper_.name, lower_.name, most),
+             {.item = fmt::format("horizon '{}'", horizon->name), .x = middle.x, .y = middle.y, .z = middle.z}});
+      }
     }
   }
 
@@ -276,10 +382,14 @@ class Stripping {
                          "them is that over the map, and differs by less than {:.6g} m3 from that up to the fault",
                          horizon.name, border.fault(), other.name, most));
       } else {
+        const double below = wedge(border, 0, border.patch->sections_v.size(), other);
+        made_.unsure += below;
         tell(border,
              fmt::format("'{}' ends at fault '{}' and is not on its other side, and '{}' does not end there; the "
                          "volume between them is that over the map",
-                         horizon.name, border.fault(), other.name));
+                         horizon.name, border.fault(), other.name) +
+                 (below > 0.0 ? fmt::format(", and differs by less than {:.6g} m3 from that up to the fault", below)
+                              : ""));
       }
     }
   }

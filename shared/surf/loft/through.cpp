@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -51,6 +52,12 @@ std::string piece_words(const PieceName& name) {
   if (name.low.empty()) return fmt::format("the piece that ends at fault '{}'", name.high);
   if (name.high.empty()) return fmt::format("the piece that begins at fault '{}'", name.low);
   return fmt::format("the piece between faults '{}' and '{}'", name.low, name.high);
+}
+
+/// Whether words are one but for capitals, of A to Z.
+bool same_letters(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char p, unsigned char q) { return std::tolower(p) == std::tolower(q); });
 }
 
 /// Lines whose ends say little of their way are turned so that they lie along the one before.
@@ -129,7 +136,7 @@ class Through {
       if (m.line == name) misties.push_back(m);
     }
     NamedSurface surface{name, kind, {}};
-    lines_v_.clear();
+    lines_v_.clear(), unjoined_.clear();
     std::vector<std::size_t> left = which;
     if (!misties.empty()) {
       DOBRA_TRY(surface.patches, patches_between(made_.sections, name, misties, options_, made_.size, made_.findings));
@@ -137,6 +144,7 @@ class Through {
     }
     if (surface.patches.empty() && left.size() > 1) {
       DOBRA_TRY(surface.patches, row_patches(name, kind, left));
+      surface.unjoined = unjoined_;
     }
     if (surface.patches.empty() && left.size() < 2) {
       const Point3 at = misties.front().at;
@@ -153,6 +161,19 @@ class Through {
     return {};
   }
 
+  /// The first name on another section that differs from this one by its capitals alone.
+  [[nodiscard]] std::string alike(const std::string& name, const std::vector<std::size_t>& which) const {
+    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
+      if (std::find(which.begin(), which.end(), s) != which.end()) continue;
+      for (const SectionLine& line : made_.sections[s].lines) {
+        if (same_letters(line.name, name))
+          return fmt::format("; section '{}' has '{}': write both alike if they are one", made_.sections[s].name,
+                             line.name);
+      }
+    }
+    return {};
+  }
+
   void tell_missing(const std::string& name, LineKind kind, const std::vector<std::size_t>& which) {
     if (which.size() == made_.sections.size()) return;
     std::vector<std::string> without;
@@ -165,10 +186,13 @@ class Through {
       const Section& section = made_.sections[which.front()];
       const auto line = std::find_if(section.lines.begin(), section.lines.end(),
                                      [&](const SectionLine& l) { return l.name == name; });
-      tell("single", fmt::format("{} is in section '{}' alone; a surface takes two", item, section.name),
+      tell("single",
+           fmt::format("{} is in section '{}' alone; a surface takes two", item, section.name) + alike(name, which),
            place_at(section.trace.in_space(line->line.points.front()), item));
     } else {
-      tell("missing", fmt::format("{} is not in {}; its surface passes without", item, fmt::join(without, ", ")),
+      tell("missing",
+           fmt::format("{} is not in {}; its surface passes without", item, fmt::join(without, ", ")) +
+               alike(name, which),
            {.item = item});
     }
   }
@@ -246,6 +270,7 @@ class Through {
     for (std::size_t k = 0; k < row.order.size(); ++k)
       strands.push_back(strands_of(row.order[k], row.against[k], name, kind));
     tell_uneven(item, strands);
+    for (std::size_t k = 1; k < strands.size(); ++k) keep_unjoined(strands[k - 1], strands[k]);
     return runs(item, strands);
   }
 
@@ -301,6 +326,46 @@ class Through {
                     "to its end",
                     item, length(*least), a, length(*most), b),
         place_at(least->front().points.back(), item));
+  }
+
+  /// Pieces of one of two sections beside each other that the other has not.
+  void keep_unjoined(const std::vector<Strand>& a, const std::vector<Strand>& b) {
+    Unjoined both;
+    double longest = 0.0, apart = 0.0;
+    const auto keep = [&](const std::vector<Strand>& of, const std::vector<Strand>& other) {
+      const geom::Polyline across{made_.sections[other.front().section].trace.corners(), false};
+      double sum = 0.0;
+      for (const Strand& strand : of) {
+        const auto like = [&](const Strand& s) { return s.name == strand.name; };
+        if (std::any_of(other.begin(), other.end(), like)) continue;
+        for (std::size_t i = 0; i < strand.points.size(); ++i) {
+          const Point p{strand.points[i].x, strand.points[i].y};
+          apart = std::max(apart, geom::distance(across, p));
+          if (i > 0) sum += geom::distance(p, Point{strand.points[i - 1].x, strand.points[i - 1].y});
+          both.points.push_back(strand.points[i]);
+        }
+      }
+      longest = std::max(longest, sum);
+    };
+    keep(a, b);
+    const std::size_t of_a = both.points.size();
+    keep(b, a);
+    if (both.points.empty()) return;
+    if (of_a == 0 || of_a == both.points.size()) {  // on one of them alone: a patch might go as far as the other
+      const auto middle = [&](const std::vector<Strand>& of) {
+        const PlanTrace& trace = made_.sections[of.front().section].trace;
+        return trace.on_map(0.5 * trace.length());
+      };
+      const Vector way = of_a == 0 ? middle(a) - middle(b) : middle(b) - middle(a);
+      for (std::size_t i = 0, n = both.points.size(); i < n; ++i) {
+        const Point3 p = both.points[i];
+        both.points.push_back({p.x + way.x, p.y + way.y, p.z});
+      }
+    }
+    both.first = made_.sections[a.front().section].name;
+    both.second = made_.sections[b.front().section].name;
+    both.plan = longest * apart;
+    unjoined_.push_back(std::move(both));
   }
 
   /// A loft for each run of sections that follow each other and have a piece of one name.
@@ -406,6 +471,7 @@ class Through {
   const ThroughOptions& options_;
   std::vector<std::string> names_;            // in the order in which sections name them
   std::vector<std::vector<double>> lines_v_;  // of the patches of a row
+  std::vector<Unjoined> unjoined_;            // of a row
 };
 
 }  // namespace

@@ -101,6 +101,26 @@ TEST_F(BlockCommands, WhatReadingRemarksIsSaidOnce) {
   EXPECT_EQ(outcome.err.find(remark, first + 1), std::string::npos) << outcome.err;
 }
 
+TEST_F(BlockCommands, AGapAcrossTheWholeSectionIsToldWithItsPlace) {
+  // 1 to 2 m between two beds, open at both sides: (1 + 2) / 2 by 10 m.
+  const std::string strip = put("strip.toml",
+                                "dobra = 1\nprogram = \"recon\"\n[[input.polygon]]\nname = \"A\"\npoints = "
+                                "[[0, 0], [10, 0], [10, 5], [0, 5]]\n[[input.polygon]]\nname = \"B\"\npoints = "
+                                "[[0, -6], [10, -6], [10, -1], [0, -2]]\n");
+  const Json json = told({"block", strip, "--along-strike", "10"});
+  EXPECT_EQ(json["volume"], 950.0);
+  std::vector<Json> gaps;
+  for (const Json& finding : json["findings"]) {
+    if (finding["code"] == "gap") gaps.push_back(finding);
+  }
+  ASSERT_EQ(gaps.size(), 1U) << json["findings"];
+  EXPECT_EQ(gaps[0]["place"]["point"], (std::vector<double>{5.0, -0.75, 0.0}));
+  const auto message = gaps[0]["message"].get<std::string>();
+  EXPECT_THAT(message, HasSubstr("gap of 15 m2, 10 m wide"));
+  EXPECT_THAT(message, HasSubstr("draw a unit there"));
+  EXPECT_THAT(call({"block", strip, "--along-strike", "10"}).err, HasSubstr("each other (at 5, -0.75)"));
+}
+
 TEST_F(BlockCommands, SolidTakesTheBlockOfASectionAsOneOrAUnitOfIt) {
   const Json all = told({"solid", scenario(), "--out", path("part.stl")});
   EXPECT_EQ(all["volume"], 100000.0);

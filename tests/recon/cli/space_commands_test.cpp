@@ -155,6 +155,37 @@ TEST_F(SpaceCommands, MistiesThatAreSharedOutArePrinted) {
                           [](const SpaceOut& f) { return f["code"] == "beyond_cells"; }));
 }
 
+TEST_F(SpaceCommands, RemarksOfReadingAreFindingsWithTheirSectionAndPlace) {
+  (void)put("a.csv", lines(0.0, slope));
+  (void)put("pieces.csv",
+            "x,z,name,kind\n0,50,A,horizon\n400,130,A,horizon\n\n600,170,A,horizon\n1000,250,A,horizon\n");
+  const std::string file = put("d.toml",
+                               "dobra = 1\nprogram = \"recon\"\n[input]\n[[input.section]]\nname = \"short\"\nfile = "
+                               "\"a.csv\"\ntrace = [0, 0, 0, 700]\n[[input.section]]\nname = \"parted\"\nfile = "
+                               "\"pieces.csv\"\ntrace = [500, 0, 500, 1000]\n");
+  const auto of = [](const SpaceOut& all, const char* code) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const SpaceOut& f) { return f["code"] == code; });
+    return found == all.end() ? SpaceOut() : *found;
+  };
+  for (const bool cut : {false, true}) {
+    std::vector<std::string> args{cut ? "cut" : "surface", file, "--json", "--quiet"};
+    if (cut) args.insert(args.end(), {"--trace", "0,200,500,300"});
+    const SpaceOut findings = json(args)["findings"];
+    // 1000 m of line over 700 m of trace, which runs north from the origin.
+    const SpaceOut beyond = of(findings, "beyond_trace");
+    ASSERT_FALSE(beyond.is_null()) << findings;
+    EXPECT_EQ(beyond["place"]["item"], "section 'short'");
+    EXPECT_EQ(beyond["place"]["point"], (std::vector<double>{0.0, 700.0, 0.0}));
+    EXPECT_NE(beyond["message"].get<std::string>().find("300 m beyond"), std::string::npos) << beyond;
+    const SpaceOut remark = of(findings, "section_remark");
+    ASSERT_FALSE(remark.is_null()) << findings;
+    EXPECT_EQ(remark["place"]["item"], "section 'parted'");
+    EXPECT_EQ(remark["place"]["file"], path("pieces.csv"));
+    EXPECT_NE(remark["message"].get<std::string>().find("2 pieces"), std::string::npos) << remark;
+  }
+  EXPECT_NE(call({"surface", file}).err.find("straight on (at 0, 700)"), std::string::npos);
+}
+
 TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {
   const std::string file = row(slope);
   refuses({"cut", file, "--trace", "0,5000,1000,5000"}, 3, {"no horizon lies under the trace"});
@@ -184,8 +215,14 @@ TEST_F(SpaceCommands, SectionsThatCannotStandAreRefusedWithTheirName) {
           {"second", "where the section stands"});
   refuses({"surface", document("[[input.section]]\nname = \"first\"\nfile = \"a.csv\"\ntrace = [0, 9, 10, 9]\n")}, 3,
           {"'first'", "name already"});
-  refuses({"surface", document("[[input.section]]\nname = \"second\"\nfile = \"a.csv\"\ntrace = [0, 9, 0, 9]\n")}, 3,
-          {"second", "in one place"});
+  const std::string flat = document("[[input.section]]\nname = \"second\"\nfile = \"a.csv\"\ntrace = [0, 9, 0, 9]\n");
+  refuses({"surface", flat}, 3, {"d.toml:8", "second", "in one place"});
+  // The table of the second section begins in line 8.
+  const auto outcome = call({"surface", flat, "--json"});
+  const SpaceOut place = SpaceOut::parse(outcome.out)["findings"][0]["place"];
+  EXPECT_EQ(place["file"], flat);
+  EXPECT_EQ(place["line"], 8);
+  EXPECT_EQ(place["item"], "section 'second'");
 }
 
 }  // namespace

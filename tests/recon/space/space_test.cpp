@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "recon/core/operations.h"
+#include "recon/core/space_steps.h"
 #include "recon/model/model.h"
 #include "recon/space/cut.h"
 #include "shared/scenario/runner.h"
@@ -33,6 +34,30 @@ PlacedSection placed(const std::string& name, std::vector<geom::Point> corners, 
   horizon("A (1)", "A", {{0.0, 0.0}, {500.0, 0.0}});
   horizon("A (2)", "A", {{520.0, -40.0}, {1000.0, -40.0}});
   return made;
+}
+
+std::vector<std::string> labels_of(const model::Model& model) {
+  dobra::scene::space::SpacePicture picture;
+  core::draw_placed_in_space(model, picture);
+  std::vector<std::string> texts;
+  for (const auto& layer : unrolled(picture)) {
+    const auto* content = std::get_if<dobra::scene::space::Labels>(&layer.content);
+    if (content == nullptr) continue;
+    for (const auto& label : content->labels) texts.push_back(label.text);
+  }
+  return texts;
+}
+
+/// A name of a line that lies under a surface would stand before it.
+TEST(Space, UnderSurfacesTheViewNamesSectionsAndNotTheirLines) {
+  PlacedSections all;
+  for (const double y : {0.0, 300.0})
+    all.sections.push_back(placed("S" + std::to_string(static_cast<int>(y)), {{0.0, y}, {1000.0, y}}, false));
+  model::Model model;
+  model.findings.set(all, {});
+  EXPECT_EQ(labels_of(model), (std::vector<std::string>{"A", "A"}));
+  model.findings.set(make_surfaces(all, {}).value(), {});
+  EXPECT_EQ(labels_of(model), (std::vector<std::string>{"S0", "S300"}));
 }
 
 TEST(Space, PiecesOfAFaultedHorizonAreLoftedAndCutAsPieces) {

@@ -127,6 +127,68 @@ TEST(FaultVolume, AHorizonThatEndsAtAFaultWhereTheOtherGoesOnIsToldWithABound) {
   EXPECT_LT(std::abs(volume.value - block), volume.unsure);
 }
 
+TEST(FaultVolume, AHorizonThatEndsAtAFaultAboveTheOtherIsToldWithABound) {
+  // The upper horizon is in the east alone; the fault's tip is above the lower one, which is whole.
+  for (const double tip : {-190.0, -120.0}) {
+    const Faulted f{0.0, 0.5, 100.0, 0.0, 200.0};
+    auto sections = faulted(f, false, true);
+    for (auto& s : sections) {
+      std::erase_if(s.lines, [](const loft::SectionLine& l) { return l.name == "lower"; });
+      s.lines[0].line.points.back() = {f.fault_x(0.0, tip), tip};
+      add(s, "lower", straight(0.0, length, 0.0, f.apart));
+    }
+    const auto made = through(std::move(sections));
+    const loft::Volume volume = between(made);
+    // East of the fault, gone on to the lower horizon: from x = 950 at z = -100 to x = 1000 at z = -200.
+    const double block = 800.0 * 100.0 * (length - 975.0);
+    EXPECT_NEAR(volume.value, 800.0 * 100.0 * (length - 950.0), 1e-3);
+    EXPECT_LE(std::abs(volume.value - block), volume.unsure);
+    EXPECT_LE(volume.unsure, 4.0 * std::abs(volume.value - block));
+    const auto* told = finding(volume.findings, "volume_at_fault");
+    ASSERT_NE(told, nullptr);
+    EXPECT_NEAR(*told->place.x, 950.0, 1e-6);
+    EXPECT_NEAR(*told->place.z, -100.0, 1e-6);
+  }
+}
+
+TEST(FaultVolume, AnUprightFaultThatEndsAboveTheOtherHorizonLeavesNothingUnsure) {
+  const Faulted f{0.0, 0.0, 100.0, 0.0, 200.0};
+  auto sections = faulted(f, false, true);
+  for (auto& s : sections) {
+    std::erase_if(s.lines, [](const loft::SectionLine& l) { return l.name == "lower"; });
+    s.lines[0].line.points.back() = {900.0, -150.0};
+    add(s, "lower", straight(0.0, length, 0.0, f.apart));
+  }
+  const loft::Volume volume = between(through(std::move(sections)));
+  EXPECT_NEAR(volume.value / (800.0 * 100.0 * (length - 900.0)), 1.0, 1e-9);
+  EXPECT_EQ(volume.unsure, 0.0);
+}
+
+TEST(FaultVolume, AFaultThatIsShallowerOnOneSectionLeavesABoundForWhatIsNotJoined) {
+  // On the last section the fault ends above the lower horizon, which is whole there: its pieces go no farther than
+  // the section before. The rock between, for any throw of the lower horizon from 0 to 100 m, is within the bound.
+  const Faulted f{0.0, 0.5, 100.0, 0.0, 200.0};
+  auto sections = faulted(f);
+  auto& last = sections.back();
+  std::erase_if(last.lines, [](const loft::SectionLine& l) { return l.name == "lower"; });
+  last.lines[0].line.points.back() = {f.fault_x(0.0, -150.0), -150.0};
+  add(last, "lower", straight(0.0, length, 0.0, f.apart));
+  const auto made = through(std::move(sections));
+  const loft::Volume volume = between(made);
+  const double of_bed_to_300 = of_bed(f) * 300.0 / 800.0;
+  // Between y = 300 and 800 by hand: the west is 200 thick up to the upper cutoff at 900; from there to 950, down the
+  // fault, 150 in the mean; east of it 100 and, moved by its throw, up to 200.
+  const double least = 500.0 * (900.0 * 200.0 + 50.0 * 150.0 + 1050.0 * 100.0);
+  const double most = 500.0 * 200.0 * length;
+  EXPECT_GE(of_bed_to_300 + least, volume.value - volume.unsure);
+  EXPECT_LE(of_bed_to_300 + most, volume.value + volume.unsure);
+  EXPECT_LE(volume.unsure, 3.0 * most);
+  const auto* told = finding(volume.findings, "volume_at_fault");
+  ASSERT_NE(told, nullptr);
+  EXPECT_GE(*told->place.y, 300.0);
+  EXPECT_LE(*told->place.y, 800.0);
+}
+
 TEST(FaultVolume, CurvedFaultsAreFollowedBetweenTheCutoffs) {
   // x = 600 + (z + 700)^2 / 1000: flat-lying below. The bed west of it ends there; that in the east begins there.
   const auto fault_x = [](double z) { return 600.0 + 1e-3 * (z + 700.0) * (z + 700.0); };
