@@ -1,6 +1,7 @@
 // 1. Every line by the part of its length, or by place; the vertices of all of them are the breaks of u.
 // 2. v by the mean chord over all breaks.
 // 3. One collocation matrix for all breaks: control points across the lines.
+// 4. By place: a column at each break by its own ways on the map, as Bezier pieces from line to line.
 #include "shared/surf/loft/loft.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "shared/surf/spline_basis.h"
 
@@ -16,6 +18,8 @@ namespace dobra::surf::loft {
 using base::Error;
 using base::ErrorCode;
 using geom::Point3;
+using geom::Vector;
+using geom::Vector3;
 
 namespace {
 
@@ -61,14 +65,15 @@ std::vector<Point3> at_breaks(const std::vector<Point3>& line, const std::vector
 }
 
 /// v of each line, by the mean of the chords; the trapezoidal rule over u.
-base::Result<std::vector<double>> chord_parameters(const CommonBreaks& common) {
+base::Result<std::vector<double>> chord_parameters(const std::vector<double>& u,
+                                                   const std::vector<std::vector<Point3>>& points) {
   std::vector<double> v{0.0};
-  for (std::size_t j = 1; j < common.points.size(); ++j) {
-    const auto& a = common.points[j - 1];
-    const auto& b = common.points[j];
+  for (std::size_t j = 1; j < points.size(); ++j) {
+    const auto& a = points[j - 1];
+    const auto& b = points[j];
     double mean = 0.0;
-    for (std::size_t i = 1; i < common.u.size(); ++i) {
-      mean += 0.5 * (common.u[i] - common.u[i - 1]) * (geom::distance(a[i - 1], b[i - 1]) + geom::distance(a[i], b[i]));
+    for (std::size_t i = 1; i < u.size(); ++i) {
+      mean += 0.5 * (u[i] - u[i - 1]) * (geom::distance(a[i - 1], b[i - 1]) + geom::distance(a[i], b[i]));
     }
     if (!(mean > 0.0))
       return Error{ErrorCode::DegenerateCurve, fmt::format("lines {} and {} are in one place; leave one out", j, j + 1),
@@ -86,6 +91,215 @@ std::vector<double> knots_across(const std::vector<double>& v, std::size_t degre
   if (degree == 3) knots.insert(knots.end(), v.begin() + 2, v.end() - 2);
   knots.insert(knots.end(), degree + 1, v.back());
   return knots;
+}
+
+/// The lines at all breaks, gone on beyond their ends: on the map along their last pieces, in height as the nearest
+/// lines go that reach so far.
+std::vector<std::vector<Point3>> gone_on(const CommonBreaks& common) {
+  std::vector<std::vector<Point3>> whole = common.points;
+  const std::size_t count = whole.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto [first, last] = common.reach[j];
+    const auto own = [&](std::size_t i) { return std::clamp(i, first, last); };
+    for (std::size_t i = 0; i < common.u.size(); ++i) {
+      const std::size_t end = own(i);
+      if (end == i) continue;
+      const std::size_t inside = i < first ? first + 1 : last - 1;
+      const double steps = (common.u[i] - common.u[end]) / (common.u[inside] - common.u[end]);
+      const Point3 at = common.points[j][end], before = common.points[j][inside];
+      double rise = 0.0, weights = 0.0;
+      const auto like = [&](std::size_t k) {
+        const auto [low, high] = common.reach[k];
+        if (i < low || i > high) return false;
+        const double weight = 1.0 / std::abs(static_cast<double>(k) - static_cast<double>(j));
+        const std::size_t beside = std::clamp(end, low, high);
+        // Traces that are not parallel dip apart: by what they do where both reach, else on the whole.
+        const bool both = std::max(first, low) < std::min(last, high);
+        const auto dip = [&](std::size_t line, std::size_t from, std::size_t to) {
+          if (both) from = std::max(first, low), to = std::min(last, high);
+          return (common.points[line][to].z - common.points[line][from].z) / (common.u[to] - common.u[from]);
+        };
+        rise += weight * (common.points[k][i].z - common.points[k][beside].z +
+                          dip(j, first, last) * (common.u[i] - common.u[end]) -
+                          dip(k, low, high) * (common.u[i] - common.u[beside]));
+        weights += weight;
+        return true;
+      };
+      for (std::size_t k = j; k-- > 0;) {
+        if (like(k)) break;
+      }
+      for (std::size_t k = j + 1; k < count; ++k) {
+        if (like(k)) break;
+      }
+      whole[j][i] = {at.x + steps * (before.x - at.x), at.y + steps * (before.y - at.y),
+                     at.z + (weights > 0.0 ? rise / weights : 0.0)};
+    }
+  }
+  return whole;
+}
+
+/// By how much a curve through points goes on a unit of its parameter, at each: a cubic whose end pieces are one piece
+/// each ("not a knot"), a parabola through three.
+/// @param steps  of the parameter, from point to point
+std::vector<Vector3> slopes_through(const std::vector<Point3>& points, const std::vector<double>& steps) {
+  const std::size_t last = points.size() - 1;
+  const auto rise = [&](std::size_t k) { return (1.0 / steps[k]) * (points[k + 1] - points[k]); };
+  std::vector<Vector3> slopes(points.size());
+  if (last == 1) return {rise(0), rise(0)};
+  if (last == 2) {
+    const double h = steps[0] + steps[1];
+    slopes[1] = (1.0 / h) * (steps[1] * rise(0) + steps[0] * rise(1));
+    slopes[0] = 2.0 * rise(0) - slopes[1];
+    slopes[2] = 2.0 * rise(1) - slopes[1];
+    return slopes;
+  }
+  // Three numbers a row, solved from the top down.
+  std::vector<double> on(points.size()), over(points.size());
+  const auto end = [&](std::size_t k, std::size_t inside, std::size_t row) {
+    const double h = steps[k], g = steps[inside], both = h + g;
+    on[row] = g;
+    slopes[row] = (1.0 / both) * ((h + 2.0 * both) * g * rise(k) + h * h * rise(inside));
+    return both;
+  };
+  over[0] = end(0, 1, 0);
+  const double under_last = end(last - 1, last - 2, last);
+  for (std::size_t k = 1; k <= last; ++k) {
+    double under = under_last;
+    if (k < last) {
+      under = steps[k];
+      on[k] = 2.0 * (steps[k - 1] + steps[k]);
+      over[k] = steps[k - 1];
+      slopes[k] = 3.0 * (steps[k] * rise(k - 1) + steps[k - 1] * rise(k));
+    }
+    const double by = under / on[k - 1];
+    on[k] -= by * over[k - 1];
+    slopes[k] = slopes[k] - by * slopes[k - 1];
+  }
+  slopes[last] = (1.0 / on[last]) * slopes[last];
+  for (std::size_t k = last; k-- > 0;) slopes[k] = (1.0 / on[k]) * (slopes[k] - over[k] * slopes[k + 1]);
+  return slopes;
+}
+
+/// The way across the lines at one break, by the ways between them on the map: where these are straight behind each
+/// other, it never turns back.
+struct Column {
+  std::vector<double> steps;          ///< From line to line.
+  std::vector<Vector3> slopes;        ///< At the lines that it goes through,
+  std::vector<std::uint8_t> through;  ///< which are all but those that went on into the way of another.
+};
+
+double on_map(Point3 a, Point3 b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// Lines that have ended count where they keep a part of the room that they had at their end.
+std::vector<std::uint8_t> lines_through(const CommonBreaks& common, const std::vector<std::vector<Point3>>& whole,
+                                        std::size_t i) {
+  constexpr double room = 0.25;
+  const std::size_t count = whole.size();
+  std::vector<std::uint8_t> through(count, 0);
+  std::vector<std::size_t> own;
+  for (std::size_t j = 0; j < count; ++j) {
+    through[j] = common.reach[j][0] <= i && i <= common.reach[j][1] ? 1 : 0;
+    if (through[j] != 0) own.push_back(j);
+  }
+  if (own.size() < 2) return through;
+  const auto way = [&](std::size_t at) {
+    const Point3 a = whole[own.front()][at], b = whole[own.back()][at];
+    return Vector{b.x - a.x, b.y - a.y};
+  };
+  const auto gap = [&](std::size_t a, std::size_t b, std::size_t at) {
+    const Point3 p = whole[a][at], q = whole[b][at];
+    return dot(Vector{q.x - p.x, q.y - p.y}, way(at)) / geom::length(way(at));
+  };
+  for (std::size_t j = 0; j < count; ++j) {
+    if (through[j] != 0) continue;
+    const std::size_t end = std::clamp(i, common.reach[j][0], common.reach[j][1]);
+    const auto has_room = [&](std::size_t a, std::size_t b) { return gap(a, b, i) > room * std::abs(gap(a, b, end)); };
+    const auto after = std::upper_bound(own.begin(), own.end(), j);
+    through[j] = (j == 0 || has_room(j - 1, j)) && (j + 1 == count || has_room(j, j + 1)) &&
+                         (after == own.begin() || has_room(*(after - 1), j)) &&
+                         (after == own.end() || has_room(j, *after))
+                     ? 1
+                     : 0;
+  }
+  return through;
+}
+
+Column column_through(const CommonBreaks& common, const std::vector<std::vector<Point3>>& whole, std::size_t i) {
+  constexpr double least = 1e-3;  // of the mean step: lines that meet
+  const std::size_t count = whole.size();
+  Column column{{}, std::vector<Vector3>(count), lines_through(common, whole, i)};
+  double sum = 0.0;
+  for (std::size_t j = 0; j + 1 < count; ++j) {
+    column.steps.push_back(on_map(whole[j][i], whole[j + 1][i]));
+    sum += column.steps.back();
+  }
+  const double mean = sum > 0.0 ? sum / static_cast<double>(count - 1) : 1.0;
+  for (double& step : column.steps) step = std::max(step, least * mean);
+  std::vector<Point3> points;
+  std::vector<double> steps;
+  std::vector<std::size_t> lines;
+  for (std::size_t j = 0; j < count; ++j) {
+    if (column.through[j] == 0) continue;
+    if (!lines.empty()) {
+      const bool next = lines.back() + 1 == j;
+      steps.push_back(next ? column.steps[lines.back()] : std::max(on_map(points.back(), whole[j][i]), least * mean));
+    }
+    points.push_back(whole[j][i]);
+    lines.push_back(j);
+  }
+  if (points.size() < 2) return column;
+  const std::vector<Vector3> slopes = slopes_through(points, steps);
+  for (std::size_t k = 0; k < lines.size(); ++k) column.slopes[lines[k]] = slopes[k];
+  return column;
+}
+
+/// The Bezier points across the lines at break i. Where both lines of a strip reach, they are those of the column
+/// through all lines, gone on; beyond, what a line has further is led to the end of the other in straight proportion.
+std::vector<Point3> bezier_points(const CommonBreaks& common, const std::vector<std::vector<Point3>>& whole,
+                                  const std::vector<Column>& columns, std::size_t i) {
+  std::vector<Point3> points{common.points[0][i]};
+  for (std::size_t k = 0; k + 1 < common.points.size(); ++k) {
+    const std::size_t low = std::max(common.reach[k][0], common.reach[k + 1][0]);
+    const std::size_t high = std::min(common.reach[k][1], common.reach[k + 1][1]);
+    const std::size_t c = std::min(std::max(i, low), std::max(low, high));
+    const Point3 from = whole[k][c], to = whole[k + 1][c];
+    const Vector3 more = common.points[k][i] - from, more_next = common.points[k + 1][i] - to;
+    const Vector chord{to.x - from.x, to.y - from.y};
+    const double square = dot(chord, chord);
+    const auto add = [&](Point3 at, double t) {
+      const double part = square > 0.0 ? dot(Vector{at.x - from.x, at.y - from.y}, chord) / square : t;
+      points.push_back(at + (1.0 - part) * more + part * more_next);
+    };
+    if (whole.size() > 2) {
+      const Column& column = columns[c];
+      const bool through = column.through[k] != 0 && column.through[k + 1] != 0;
+      const Vector3 straight = (1.0 / column.steps[k]) * (to - from);
+      const double third = column.steps[k] / 3.0;
+      add(from + third * (through ? column.slopes[k] : straight), 1.0 / 3.0);
+      add(to - third * (through ? column.slopes[k + 1] : straight), 2.0 / 3.0);
+    }
+    points.push_back(common.points[k + 1][i]);
+  }
+  return points;
+}
+
+/// Lines by place.
+base::Result<Loft> placed_loft(const CommonBreaks& common, std::vector<double> knots_u) {
+  const std::vector<std::vector<Point3>> whole = gone_on(common);
+  DOBRA_TRY(std::vector<double> v, chord_parameters(common.u, whole));
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < common.u.size(); ++i) columns.push_back(column_through(common, whole, i));
+  std::vector<Point3> controls;
+  for (std::size_t i = 0; i < common.u.size(); ++i) {
+    const std::vector<Point3> column = bezier_points(common, whole, columns, i);
+    controls.insert(controls.end(), column.begin(), column.end());
+  }
+  const std::size_t degree = v.size() > 2 ? 3 : 1;
+  std::vector<double> knots_v{v.front()};
+  for (const double line : v) knots_v.insert(knots_v.end(), degree, line);
+  knots_v.push_back(v.back());
+  DOBRA_TRY(Surface surface, Surface::nurbs(1, std::move(knots_u), degree, std::move(knots_v), controls));
+  return Loft{std::move(surface), std::move(v)};
 }
 
 }  // namespace
@@ -117,7 +331,15 @@ base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<Point3>>&
   }
   common.u.front() = 0.0;
   common.u.back() = 1.0;
-  for (std::size_t j = 0; j < whole.size(); ++j) common.points.push_back(at_breaks(whole[j], of_lines[j], common.u));
+  for (std::size_t j = 0; j < whole.size(); ++j) {
+    common.points.push_back(at_breaks(whole[j], of_lines[j], common.u));
+    const auto at = [&](double u) {
+      const auto after = std::lower_bound(common.u.begin(), common.u.end(), u - same_break);
+      return static_cast<std::size_t>(after - common.u.begin());
+    };
+    common.reach.push_back(parts.empty() ? std::array<std::size_t, 2>{0, common.u.size() - 1}
+                                         : std::array{at(parts[j].front()), at(parts[j].back())});
+  }
   return common;
 }
 
@@ -147,7 +369,11 @@ base::Result<Loft> loft(const std::vector<std::vector<Point3>>& lines, const Lin
   if (lines.size() < 2)
     return Error{ErrorCode::InvalidOption, fmt::format("a surface through {} lines; give two at least", lines.size())};
   DOBRA_TRY(const CommonBreaks common, common_breaks(lines, parts));
-  DOBRA_TRY(std::vector<double> v, chord_parameters(common));
+  std::vector<double> knots_u{0.0};
+  knots_u.insert(knots_u.end(), common.u.begin(), common.u.end());
+  knots_u.push_back(1.0);
+  if (!parts.empty()) return placed_loft(common, std::move(knots_u));
+  DOBRA_TRY(std::vector<double> v, chord_parameters(common.u, common.points));
   const std::size_t count = lines.size(), degree = std::min<std::size_t>(count - 1, 3);
   const std::vector<double> knots_v = knots_across(v, degree);
   DOBRA_TRY(const SplineBasis basis, SplineBasis::make(degree, knots_v, "knots across the lines"));
@@ -169,9 +395,6 @@ base::Result<Loft> loft(const std::vector<std::vector<Point3>>& lines, const Lin
     const Eigen::MatrixX3d found = solver.solve(right);
     for (Eigen::Index j = 0; j < rows; ++j) controls.push_back({found(j, 0), found(j, 1), found(j, 2)});
   }
-  std::vector<double> knots_u{0.0};
-  knots_u.insert(knots_u.end(), common.u.begin(), common.u.end());
-  knots_u.push_back(1.0);
   DOBRA_TRY(Surface surface, Surface::nurbs(1, std::move(knots_u), degree, knots_v, controls));
   return Loft{std::move(surface), std::move(v)};
 }

@@ -34,6 +34,7 @@ base::Result<Loft> loft(const std::vector<std::vector<geom::Point3>>& lines, con
 struct CommonBreaks {
   std::vector<double> u;
   std::vector<std::vector<geom::Point3>> points;  ///< [line][break]
+  std::vector<std::array<std::size_t, 2>> reach;  ///< The first and the last break that a line has of its own.
 };
 /// @error as loft
 base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<geom::Point3>>& lines,

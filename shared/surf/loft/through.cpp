@@ -428,6 +428,29 @@ class Through {
     return {};
   }
 
+  /// Lines by place run one way, and so must the surface.
+  void tell_turned(const std::string& item, const Patch& patch) {
+    const auto area = [&](const std::array<std::uint32_t, 3>& t) {
+      const Point3 a = patch.points[t[0]], b = patch.points[t[1]], c = patch.points[t[2]];
+      return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    };
+    double sum = 0.0, all = 0.0;
+    for (const auto& t : patch.triangles) sum += area(t), all += std::abs(area(t));
+    const double turned = 0.5 * (all - std::abs(sum));
+    constexpr double rounded = 1e-9;
+    if (turned <= rounded * all) return;
+    const auto least = [&](const auto& s, const auto& t) {
+      return (sum > 0.0 ? area(s) < area(t) : area(s) > area(t));
+    };
+    const auto& worst = *std::min_element(patch.triangles.begin(), patch.triangles.end(), least);
+    tell("turns_back",
+         fmt::format("{}: between the sections its surface turns back over {:.4g} m2 of the map, where areas, volumes "
+                     "and new sections are wrong; draw a section there, or leave out the one whose trace is nearest to "
+                     "another one",
+                     item, turned),
+         place_at(patch.points[worst[0]], item));
+  }
+
   base::Result<void> add_loft(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
                               std::vector<Patch>& patches) {
     if (run.empty()) return {};
@@ -455,6 +478,7 @@ class Through {
     std::size_t rows = options_.rows;
     while (rows > 1 && 2 * breaks * (run.size() - 1) * rows > options_.triangles) --rows;
     DOBRA_TRY(Patch patch, lattice(made->surface, {{}, made->lines_v, breaks == 2 ? options_.rows : 1, rows}));
+    if (!parts.empty()) tell_turned(item, patch);
     for (const Strand* strand : run) patch.sections.push_back(strand->section);
     patch.sections_v = made->lines_v;
     patch.low_fault = name.low;
@@ -473,6 +497,37 @@ class Through {
   std::vector<std::vector<double>> lines_v_;  // of the patches of a row
   std::vector<Unjoined> unjoined_;            // of a row
 };
+
+}  // namespace
+
+namespace {
+
+/// Whether a trace lies before another in the middle of what both have beside each other along a direction; no where
+/// they have nothing.
+bool lies_before(const PlanTrace& trace, const PlanTrace& other, Vector along, Vector before) {
+  const auto reach = [&](const PlanTrace& of) {
+    std::array<double, 2> low_high{INFINITY, -INFINITY};
+    for (const Point p : of.corners()) {
+      const double at = geom::dot(p - Point{}, along);
+      low_high = {std::min(low_high[0], at), std::max(low_high[1], at)};
+    }
+    return low_high;
+  };
+  const auto a = reach(trace), b = reach(other);
+  const double low = std::max(a[0], b[0]), high = std::min(a[1], b[1]);
+  if (!(low < high)) return false;
+  const double middle = 0.5 * (low + high);
+  const auto across = [&](const PlanTrace& of) {
+    for (std::size_t i = 1; i < of.corners().size(); ++i) {
+      const Point p = of.corners()[i - 1], q = of.corners()[i];
+      const double from = geom::dot(p - Point{}, along), to = geom::dot(q - Point{}, along);
+      if ((from <= middle) == (to <= middle)) continue;
+      return geom::dot(geom::interpolate(p, q, (middle - from) / (to - from)) - Point{}, before);
+    }
+    return geom::dot(of.corners().front() - Point{}, before);
+  };
+  return across(trace) < across(other);
+}
 
 }  // namespace
 
@@ -500,6 +555,23 @@ Row row_of(const std::vector<Section>& sections, const std::vector<std::size_t>&
   };
   std::stable_sort(row.order.begin(), row.order.end(),
                    [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
+  // Side by side, what lies before the other counts, not where its middle is.
+  Vector common{};
+  for (const std::size_t s : row.order) {
+    const Vector way = geom::normalised(way_of(sections[s]));
+    common = common + (geom::dot(way, common) < 0.0 ? -1.0 * way : way);
+  }
+  if (geom::length(common) > 0.0) {
+    common = geom::normalised(common);
+    Vector before{-common.y, common.x};
+    if (geom::dot(before, axis) < 0.0) before = -1.0 * before;
+    for (std::size_t pass = 1; pass < row.order.size(); ++pass) {
+      for (std::size_t k = pass; k > 0; --k) {
+        if (!lies_before(sections[row.order[k]].trace, sections[row.order[k - 1]].trace, common, before)) break;
+        std::swap(row.order[k], row.order[k - 1]);
+      }
+    }
+  }
   // The first that the document names stays in front.
   if (along(which.front()) > 0.0) std::reverse(row.order.begin(), row.order.end());
   for (std::size_t k = 0; k < row.order.size(); ++k) {

@@ -147,7 +147,9 @@ class Maker {
     // Of a chain of short edges not all are one point.
     const bool after_point = !border_.edges.empty() && border_.edges.back().face == face &&
                              border_.edges.back().loop == loop && border_.edges.back().point;
-    const double one_point = ring || after_point ? 1e-3 * closing_ * trimmed.surface.size() : added.tolerance;
+    constexpr double largest = 1e-4;  // of the surface: a tolerance may be that of a wide gap
+    const double size = trimmed.surface.size();
+    const double one_point = ring || after_point ? 1e-3 * closing_ * size : std::min(added.tolerance, largest * size);
     added.point = added.space.length() <= one_point;
     const std::size_t number = border_.edges.size();
     border_.edges.push_back(std::move(added));

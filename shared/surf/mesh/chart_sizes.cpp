@@ -191,9 +191,7 @@ Result<Quadtree> tree_of(const ScaledChart& chart, const Builder& builder, std::
   const std::uint32_t look = first_look(chart.surface());
   const std::size_t most_fine = options.most_cells / 20;
   std::size_t fine = 0;
-  const auto badly = [&](QuadCellId id) {
-    return fine <= most_fine && builder.follows_badly(tree, id, look, fine);
-  };
+  const auto badly = [&](QuadCellId id) { return fine <= most_fine && builder.follows_badly(tree, id, look, fine); };
   if (!tree.refine_where(badly, tree.cell_count() + options.most_cells) || fine > most_fine) {
     const auto leaves = tree.leaves();
     const auto deepest = std::max_element(leaves.begin(), leaves.end(), [&](QuadCellId a, QuadCellId b) {

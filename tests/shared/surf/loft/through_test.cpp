@@ -123,8 +123,8 @@ TEST(LoftUntidy, LinesOfUnequalExtentAreJoinedEndToEndAndTold) {
   const auto made = through(std::move(sections));
   ASSERT_EQ(made.surfaces.size(), 1u);
   EXPECT_NE(finding(made.findings, "uneven"), nullptr);
-  // Ends on parabolas 0, 250, 0: what is cut off on each side is 2/3 of 400 m by 250 m.
-  EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 400'000.0 - 2.0 * 2.0 / 3.0 * 400.0 * 250.0, 1e-6);
+  // Straight from end to end: what is cut off on each side is a triangle of 400 m by 250 m.
+  EXPECT_NEAR(loft::measures(made.surfaces[0]).plan, 400'000.0 - 400.0 * 250.0, 1e-6);
 }
 
 /// Along the trace of x at a height y of the map.

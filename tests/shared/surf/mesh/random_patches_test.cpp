@@ -548,8 +548,8 @@ TEST(RandomPatches, AreMeshedAsAskedOrRefusedWithAPlace) {
   for (int seed = first; seed < first + cases; ++seed) try_case(seed, asked, tally);
   EXPECT_GE(tally.meshed, cases * 4 / 5);
   if (!asked) return;
-  printf("%d patches, %d meshed with %zu triangles, slowest %.2f s (seed %d)\n", cases, tally.meshed,
-         tally.triangles, tally.slowest, tally.slowest_seed);
+  printf("%d patches, %d meshed with %zu triangles, slowest %.2f s (seed %d)\n", cases, tally.meshed, tally.triangles,
+         tally.slowest, tally.slowest_seed);
   for (const auto& [what, count] : tally.refused) printf("%5d refused, %s\n", count, what.c_str());
 }
 

@@ -51,7 +51,8 @@ trim::TrimmedSurface fan(double noise) {
       constexpr std::array dome{0.0, 0.0, 1.0 / 3.0, 1.0};  // v * v
       points.push_back({r * std::cos(angle), r * std::sin(angle), -0.1 * dome.at(static_cast<std::size_t>(j))});
       // As the last digits of a file: no pattern, each of its own sign.
-      if (j == 0) points.back() = {noise * std::sin(7.0 * i), noise * std::cos(11.0 * i), noise * std::sin(13.0 * i + 1)};
+      if (j == 0)
+        points.back() = {noise * std::sin(7.0 * i), noise * std::cos(11.0 * i), noise * std::sin(13.0 * i + 1)};
     }
   }
   const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
