@@ -97,6 +97,21 @@ void tell_rounded_ends(const section::Section& section, UnitMap& map) {
   }
 }
 
+/// Sides that the program draws between ends of horizons that are not above each other.
+void tell_slanted_sides(const std::vector<geom::Segment>& sides, double width, UnitMap& map) {
+  constexpr double upright = 0.1;  // of the width of the section: ends of drawings are ragged
+  for (const geom::Segment& side : sides) {
+    const double apart = std::abs(side.to.x - side.from.x);
+    if (apart <= upright * width) continue;
+    map.findings.push_back({"slanted_side",
+                            fmt::format("the side of the section is drawn aslant from ({:.6g}, {:.6g}) to ({:.6g}, "
+                                        "{:.6g}), as horizons end {:.6g} m apart there: units end at that line; give a "
+                                        "border, or draw the horizons to one end",
+                                        side.from.x, side.from.y, side.to.x, side.to.y, apart),
+                            geom::place_at(geom::midpoint(side.from, side.to))});
+  }
+}
+
 base::Result<UnitMap> by_horizons(const section::Section& section) {
   DOBRA_TRY(section::UnitFaces faces, unit_faces_of(section));
   UnitMap map;
@@ -119,6 +134,7 @@ base::Result<UnitMap> by_horizons(const section::Section& section) {
                                         find_horizon(section, open.under)->name),
                             geom::place_at(open.place)});
   }
+  tell_slanted_sides(faces.found.sides, box_of(section).width(), map);
   tell_rounded_ends(section, map);
   name_edges(faces.lines, map);
   spread_units(map);

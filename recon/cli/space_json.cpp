@@ -53,6 +53,7 @@ SpaceJson surfaces_json(const model::Model& model) {
                        {"volume", row.volume.value},
                        {"map_area", row.volume.plan},
                        {"exact", row.volume.exact},
+                       {"below", row.volume.below},
                        {"unsure", row.volume.unsure}});
   json["surfaces"] = std::move(surfaces);
   json["volumes"] = std::move(volumes);
@@ -74,8 +75,11 @@ std::string surfaces_table(const model::Model& model) {
                         m.difference > 0.0 ? "above" : "below", made.made.sections[m.second].name);
   }
   for (const space::VolumeRow& row : made.volumes)
-    text += fmt::format("between {} and {}: {:.6g} m3{}\n", row.upper, row.lower, row.volume.value,
-                        row.volume.unsure > 0.0 ? fmt::format(" +- {:.6g} m3", row.volume.unsure) : "");
+    text += fmt::format("between {} and {}: {:.6g} m3{}{}\n", row.upper, row.lower, row.volume.value,
+                        row.volume.unsure > 0.0 ? fmt::format(" +- {:.6g} m3", row.volume.unsure) : "",
+                        row.volume.below > 0.0 ? fmt::format(" ({:.6g} above, {:.6g} below)",
+                                                             row.volume.value + row.volume.below, row.volume.below)
+                                               : "");
   return text;
 }
 

@@ -453,6 +453,7 @@ base::Result<UnitFaces> unit_faces_of(const Section& as_given) {
   if (!section.border) {
     Sides sides = sides_of(section, order, surfaces, first_surface, arrangement);
     all.lines.resize(all.lines.size() + sides.lines.size(), "side");
+    for (const geom::Polyline& side : sides.lines) made.sides.push_back(side.segment(0));
     DOBRA_TRY_VOID(arrangement.add(std::move(sides.lines)));
     if (!order.empty()) made.open = open_places(section, arrangement, sides.loose, order.back());
   }

@@ -60,6 +60,7 @@ struct SectionFaces {
   double area = 0.0;            ///< Within the border, m2, found without the faces.
   std::vector<Misfit> misfits;
   std::vector<OpenPlace> open;
+  std::vector<geom::Segment> sides;  ///< Straight lines that the border was made of.
   std::vector<BareStretch> bare;
 };
 

@@ -114,6 +114,20 @@ void tell_beyond(const PlacedSection& placed, std::vector<base::Finding>& findin
                       geom::place_at(end, fmt::format("section '{}'", placed.name))});
 }
 
+void tell_topography(const PlacedSection& placed, std::vector<base::Finding>& findings) {
+  const std::string item = fmt::format("section '{}'", placed.name);
+  for (const section::SectionLine& line : placed.section.lines) {
+    if (line.kind != section::LineKind::Topography) continue;
+    const geom::Point p = placed.trace.on_map(line.line.points.front().x);
+    findings.push_back({"topography_left_out",
+                        fmt::format("{} has a topography, '{}': no surface goes through it, and volumes and new "
+                                    "sections go on above it; draw it as a horizon to have one",
+                                    item, line.name),
+                        {.item = item, .x = p.x, .y = p.y, .z = line.line.points.front().y}});
+    return;
+  }
+}
+
 }  // namespace
 
 Result<loft::PlanTrace> plan_trace(const std::vector<double>& numbers, const std::string& key) {
@@ -168,6 +182,7 @@ Result<PlacedSections> read_placed(const input::SectionInput& input, const scena
           fmt::format("section '{}'", one->name), table);
     if (const auto over = check_over_trace(*one); !over) return of_section(over.error(), item, table);
     tell_beyond(*one, made.findings);
+    tell_topography(*one, made.findings);
     made.sections.push_back(std::move(*one));
   }
   return made;

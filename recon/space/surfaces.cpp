@@ -58,8 +58,10 @@ Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfacePa
       if (findings.empty()) return Error{ErrorCode::BadSection, std::move(message)};
       return Error{ErrorCode::BadSection, message + ": " + findings.front().message, findings.front().place};
     }
-    return Error{ErrorCode::BadSection,
-                 fmt::format("no surface goes through the sections: {}", findings.front().message),
+    std::string why = findings.front().message;
+    const std::string item = findings.front().place.item + ": ";  // which the place says
+    if (why.starts_with(item)) why.erase(0, item.size());
+    return Error{ErrorCode::BadSection, fmt::format("no surface goes through the sections: {}", why),
                  findings.front().place};
   }
   for (const loft::NamedSurface& surface : made.made.surfaces) {

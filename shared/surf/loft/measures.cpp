@@ -1,5 +1,7 @@
 #include "shared/surf/loft/measures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -197,8 +199,15 @@ Sum integral(const Corners& polygon, Value&& value) {
   return sum;
 }
 
+/// Of the pairs of triangles of two lattices.
+struct Pairs {
+  double plan = 0.0, value = 0.0, below = 0.0;
+  double deepest = 0.0;  ///< Of the upper below the lower, m,
+  Point3 at;             ///< and where, on the upper.
+};
+
 /// Adds what is between two triangles.
-void add_pair(const PlanTriangle& upper, const PlanTriangle& lower, Volume& volume) {
+void add_pair(const PlanTriangle& upper, const PlanTriangle& lower, Pairs& pairs) {
   Corners common(upper.at.begin(), upper.at.end());
   for (std::size_t k = 0; k < 3 && !common.empty(); ++k) {
     const Point a = lower.at[k], b = lower.at[(k + 1) % 3];
@@ -207,12 +216,20 @@ void add_pair(const PlanTriangle& upper, const PlanTriangle& lower, Volume& volu
   const auto height = [&](Point p) { return upper.z(p) - lower.z(p); };
   const double sign = upper.sign * lower.sign;
   const Sum all = integral(common, height);
-  volume.plan += sign * all.area;
-  volume.value += sign * all.volume;
+  pairs.plan += sign * all.area;
+  pairs.value += sign * all.volume;
+  bool below = false;
+  for (const Point p : common) {
+    const double depth = -height(p);
+    below = below || depth > 0.0;
+    if (depth > pairs.deepest) pairs.deepest = depth, pairs.at = {p.x, p.y, upper.z(p)};
+  }
+  if (below) pairs.below -= sign * integral(kept(common, [&](Point p) { return -height(p); }), height).volume;
 }
 
 /// Pairs of triangles by a lattice of cells over the lower ones.
-void add_pairs(const std::vector<PlanTriangle>& upper, const std::vector<PlanTriangle>& lower, Volume& volume) {
+Pairs pairs_of(const std::vector<PlanTriangle>& upper, const std::vector<PlanTriangle>& lower) {
+  Pairs pairs;
   geom::Box box;
   for (const PlanTriangle& t : lower) box.add(t.box.low), box.add(t.box.high);
   const auto side = static_cast<std::size_t>(std::clamp(std::sqrt(static_cast<double>(lower.size())), 1.0, 1000.0));
@@ -237,9 +254,10 @@ void add_pairs(const std::vector<PlanTriangle>& upper, const std::vector<PlanTri
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (const std::uint32_t k : near) {
-      if (t.box.overlaps(lower[k].box)) add_pair(t, lower[k], volume);
+      if (t.box.overlaps(lower[k].box)) add_pair(t, lower[k], pairs);
     }
   }
+  return pairs;
 }
 
 }  // namespace
@@ -276,10 +294,21 @@ Volume volume_between(const NamedSurface& upper, const NamedSurface& lower, cons
   volume.unsure = strips.unsure;
   volume.findings = std::move(strips.findings);
   const double size = upper.patches.front().surface.size();
-  if (!upright(strips.upper, size) || !upright(strips.lower, size) || !one_border(upper, lower)) {
-    add_pairs(plan_triangles(upper, strips.upper), plan_triangles(lower, strips.lower), volume);
-    return volume;
+  const Pairs pairs = pairs_of(plan_triangles(upper, strips.upper), plan_triangles(lower, strips.lower));
+  volume.value = pairs.value;
+  volume.plan = pairs.plan;
+  constexpr double rounded = 1e-9;
+  if (pairs.deepest > rounded * size && pairs.below > rounded * (std::abs(pairs.value) + pairs.below)) {
+    volume.below = pairs.below;
+    const std::string item = fmt::format("{} '{}'", kind_name(upper.kind), upper.name);
+    volume.findings.push_back(
+        {"cross",
+         fmt::format("'{}' and '{}' cross: between them are {:.6g} m3 where '{}' is the upper one, and {:.6g} m3 where "
+                     "it is the lower one, by {:.6g} m at most; the volume is the difference",
+                     upper.name, lower.name, pairs.value + pairs.below, upper.name, pairs.below, pairs.deepest),
+         {.item = item, .x = pairs.at.x, .y = pairs.at.y, .z = pairs.at.z}});
   }
+  if (!upright(strips.upper, size) || !upright(strips.lower, size) || !one_border(upper, lower)) return volume;
   PlanIntegral top, bottom;
   for (const Patch& patch : upper.patches) {
     const PlanIntegral part = plan_integral(patch);

@@ -31,6 +31,7 @@ struct Volume {
   double value = 0.0;   ///< Integral of the height of the upper above the lower, m3; where it is below, it counts less.
   double plan = 0.0;    ///< Over which, m2.
   bool exact = false;   ///< Both have one border on the map, and the value is that of the surfaces themselves.
+  double below = 0.0;   ///< Where the upper surface lies below the lower one, what is between them, m3.
   double unsure = 0.0;  ///< By how much it may be off where a horizon ends alone at a fault, m3; findings tell more.
   std::vector<Finding> findings;
 };
@@ -38,6 +39,7 @@ struct Volume {
 /// map (to 1e-6 of the size) and no fault is beside them but vertical ones, the value is the integral over the
 /// surfaces; else that of the pairs of triangles of both lattices that lie over each other, where an overturned one
 /// counts less: a place of three sheets, as at thrusts, counts once.
+/// Where they cross, a finding `cross` tells both parts and the deepest place.
 /// @param surfaces  with the faults that the horizons end at
 /// @cost O(n log n + pairs), and that of strips_between()
 Volume volume_between(const NamedSurface& upper, const NamedSurface& lower,

@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "shared/surf/loft/cut.h"
@@ -149,9 +150,10 @@ class Through {
     if (surface.patches.empty() && left.size() < 2) {
       const Point3 at = misties.front().at;
       tell("no_surface",
-           fmt::format("{} '{}': its sections cross, and neither do three of them bound a cell nor do two lie side by "
-                       "side; no surface goes through them",
-                       kind_name(kind), name),
+           fmt::format(
+               "{} '{}': its sections cross or meet, and neither do three of them bound a cell nor do two lie side "
+               "by side; draw one beside them, or leave out those that cross",
+               kind_name(kind), name),
            place_at(at, fmt::format("{} '{}'", kind_name(kind), name)));
     }
     tell_left_out(surface, which, left);
@@ -176,11 +178,6 @@ class Through {
 
   void tell_missing(const std::string& name, LineKind kind, const std::vector<std::size_t>& which) {
     if (which.size() == made_.sections.size()) return;
-    std::vector<std::string> without;
-    for (std::size_t s = 0; s < made_.sections.size(); ++s) {
-      if (std::find(which.begin(), which.end(), s) == which.end())
-        without.push_back(fmt::format("'{}'", made_.sections[s].name));
-    }
     const std::string item = fmt::format("{} '{}'", kind_name(kind), name);
     if (which.size() < 2) {
       const Section& section = made_.sections[which.front()];
@@ -190,11 +187,38 @@ class Through {
            fmt::format("{} is in section '{}' alone; a surface takes two", item, section.name) + alike(name, which),
            place_at(section.trace.in_space(line->line.points.front()), item));
     } else {
-      tell("missing",
-           fmt::format("{} is not in {}; its surface passes without", item, fmt::join(without, ", ")) +
-               alike(name, which),
-           {.item = item});
+      const std::string other = alike(name, which);
+      for (const bool between : {true, false}) {
+        std::vector<std::string> without;
+        Point at;
+        for (const std::size_t s : sections_without(which, between)) {
+          without.push_back(fmt::format("'{}'", made_.sections[s].name));
+          at = made_.sections[s].trace.on_map(0.5 * made_.sections[s].trace.length());
+        }
+        if (without.empty()) continue;
+        const std::string all = fmt::format("{}", fmt::join(without, ", "));
+        tell("missing",
+             (between ? fmt::format("{} is not in {}; its surface passes without", item, all)
+                      : fmt::format("{} is not in {}; its surface ends before", item, all)) +
+                 other,
+             {.item = item, .x = at.x, .y = at.y});
+      }
     }
+  }
+
+  /// Of all others: those between the given ones, or those beside them.
+  [[nodiscard]] std::vector<std::size_t> sections_without(const std::vector<std::size_t>& which, bool between) const {
+    std::vector<std::size_t> all(made_.sections.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const Row row = row_of(made_.sections, all);
+    const auto has = [&](std::size_t s) { return std::find(which.begin(), which.end(), s) != which.end(); };
+    const auto first = std::find_if(row.order.begin(), row.order.end(), has);
+    const auto last = std::find_if(row.order.rbegin(), row.order.rend(), has).base();
+    std::vector<std::size_t> found;
+    for (auto s = row.order.begin(); s != row.order.end(); ++s) {
+      if (!has(*s) && (first < s && s < last) == between) found.push_back(*s);
+    }
+    return found;
   }
 
   /// Takes away the section with most crossings, the last of them, until none cross.

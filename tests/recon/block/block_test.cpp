@@ -247,5 +247,19 @@ TEST(Block, RandomStacksWithFaultsConform) {
   }
 }
 
+TEST(Block, ASideThatIsDrawnAslantIsTold) {
+  section::Section section;
+  section.horizons = {horizon("A", {{0, 100}, {1000, 100}}), horizon("B", {{0, 0}, {600, 0}})};
+  const Block slanted = test::block(test::made(section), 100.0);
+  ASSERT_TRUE(told(slanted.findings, "slanted_side"));
+  const auto& side = *std::find_if(slanted.findings.begin(), slanted.findings.end(),
+                                   [](const auto& f) { return f.code == "slanted_side"; });
+  EXPECT_NEAR(*side.place.x, 800.0, 1e-9);
+  EXPECT_NE(side.message.find("400 m apart"), std::string::npos) << side.message;
+  EXPECT_FALSE(told(test::block(test::layers(), 100.0).findings, "slanted_side"));
+  section.border = geom::Polyline{{{0, 0}, {1000, 0}, {1000, 100}, {0, 100}}, true};
+  EXPECT_FALSE(told(test::block(test::made(section), 100.0).findings, "slanted_side"));
+}
+
 }  // namespace
 }  // namespace recon::block

@@ -121,6 +121,60 @@ TEST(UnlikeTraces, AShortSectionBendsNothingBesideIt) {
   }
 }
 
+/// Of which one lies beside all others, and one between them.
+TEST(UnlikeTraces, ALineThatIsMissingIsToldAsBetweenOrBeside) {
+  std::vector<loft::Section> sections;
+  for (int i = 0; i < 5; ++i) {
+    sections.push_back(section("S" + std::to_string(i), {{0, 100.0 * i}, {1000, 100.0 * i}}));
+    add(sections.back(), "all", {{{0, 0}, {1000, 0}}});
+    if (i == 1 || i == 3) add(sections.back(), "some", {{{0, -50}, {1000, -50}}});
+  }
+  const auto made = through(std::move(sections));
+  std::vector<std::pair<std::string, double>> told;
+  for (const loft::Finding& f : made.findings) {
+    if (f.code == "missing") told.emplace_back(f.message, *f.place.y);
+  }
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_NE(told[0].first.find("'some' is not in 'S2'; its surface passes without"), std::string::npos);
+  EXPECT_EQ(told[0].second, 200.0);
+  EXPECT_NE(told[1].first.find("'some' is not in 'S0', 'S4'; its surface ends before"), std::string::npos);
+}
+
+/// Two planes that cross along x = 300: wedges of 100 m by the dips of 0.2 and 0.1.
+TEST(UnlikeTraces, HorizonsThatCrossHaveBothPartsOfTheirVolumeTold) {
+  for (const bool shorter : {false, true}) {
+    std::vector<loft::Section> sections;
+    for (int i = 0; i < 2; ++i) {
+      sections.push_back(section("S" + std::to_string(i), {{0, 100.0 * i}, {1000, 100.0 * i}}));
+      add(sections.back(), "a", {{{0, 60}, {shorter ? 900.0 : 1000.0, shorter ? -120.0 : -140.0}}});
+      add(sections.back(), "b", {{{0, -30}, {1000, 70}}});
+    }
+    const auto made = through(std::move(sections));
+    ASSERT_EQ(made.surfaces.size(), 2U);
+    const bool first = loft::measures(made.surfaces[0]).mean_z > loft::measures(made.surfaces[1]).mean_z;
+    const auto volume = loft::volume_between(made.surfaces[first ? 0 : 1], made.surfaces[first ? 1 : 0]);
+    const double low = 0.5 * 300.0 * 90.0 * 100.0, width = shorter ? 600.0 : 700.0;
+    const double high = 0.5 * width * 0.3 * width * 100.0;
+    EXPECT_NEAR(volume.below, low, 1e-6);
+    EXPECT_NEAR(volume.value, high - low, 1e-4);
+    EXPECT_EQ(volume.exact, !shorter);
+    ASSERT_EQ(volume.findings.size(), 1U);
+    EXPECT_EQ(volume.findings[0].code, "cross");
+    EXPECT_NEAR(*volume.findings[0].place.x, 0.0, 1e-9);
+  }
+  // Beds that touch do not cross.
+  std::vector<loft::Section> sections;
+  for (int i = 0; i < 2; ++i) {
+    sections.push_back(section("S" + std::to_string(i), {{0, 100.0 * i}, {1000, 100.0 * i}}));
+    add(sections.back(), "a", {{{0, 0}, {400, 0}, {1000, 60}}});
+    add(sections.back(), "b", {{{0, 0}, {400, 0}, {1000, -60}}});
+  }
+  const auto made = through(std::move(sections));
+  const auto volume = loft::volume_between(made.surfaces[0], made.surfaces[1]);
+  EXPECT_EQ(volume.below, 0.0);
+  EXPECT_TRUE(volume.findings.empty());
+}
+
 /// Ribs that turn back are no horizon by place: there the surface may look down, and nothing is said of it.
 TEST(UnlikeTraces, AnOverturnedHorizonIsNotSaidToTurnBack) {
   std::vector<loft::Section> sections;
