@@ -260,7 +260,7 @@ namespace {
 enum class Triangle : std::uint8_t { Missed, Cut, Unclear };
 
 /// The line runs from where the border goes down through the plane to where it comes up.
-Triangle cut_triangle(const Soup& all, const Facet& facet, const Space& space, PlaneId cut, const CutPlane& plane,
+Triangle cut_triangle(const Soup& all, const Facet& facet, const Space& space, PlaneId cut,
                       std::array<Point3, 2>& ends) {
   if (facet.corner_end - facet.first_corner != 3) return Triangle::Unclear;
   std::array<Point3, 3> corner;
@@ -276,9 +276,9 @@ Triangle cut_triangle(const Soup& all, const Facet& facet, const Space& space, P
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     if (side[i] == side[j]) continue;
-    const auto at = crossing_in_doubles(plane, corner[i], corner[j]);
-    if (!at) return Triangle::Unclear;
-    ends[side[i] == Sign::Positive ? 0 : 1] = *at;
+    const auto found = crossing_in_doubles(space.plane(cut), corner[i], corner[j]);
+    if (!found) return Triangle::Unclear;
+    ends[side[i] == Sign::Positive ? 0 : 1] = found->at;
   }
   return Triangle::Cut;
 }
@@ -337,7 +337,7 @@ std::vector<Sections::Line> Sections::collect(std::uint32_t solid, const CutPlan
       if (from != to) lines.push_back({from, to, solid, &solids_[solid].name(FaceId(f))});
     };
     std::array<Point3, 2> ends;
-    const Triangle triangle = cut_triangle(all, facet, soup.space, cut, plane, ends);
+    const Triangle triangle = cut_triangle(all, facet, soup.space, cut, ends);
     if (triangle == Triangle::Cut) add(ends[0], ends[1]);
     if (triangle != Triangle::Unclear) continue;
     signs.clear();
