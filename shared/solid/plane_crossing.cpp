@@ -58,10 +58,7 @@ class Heights {
     const auto& [a, b, c] = plane.through;
     if (constant_) {
       const std::array<double, 3> n{a.x, a.y, a.z};
-      for (std::size_t i = 0; i < 3; ++i) {
-        normal_[i] = {n[i], 0.0};
-        sizes_[i] = std::abs(n[i]);
-      }
+      for (std::size_t i = 0; i < 3; ++i) normal_[i] = {n[i], 0.0};
       return;
     }
     const std::array<TwoTerms, 3> u{difference(b.x, a.x), difference(b.y, a.y), difference(b.z, a.z)};
@@ -77,10 +74,14 @@ class Heights {
   }
 
   [[nodiscard]] Height over(Point3 p) const {
-    const std::array<TwoTerms, 3> way =
-        constant_ ? std::array<TwoTerms, 3>{{{p.x, 0.0}, {p.y, 0.0}, {p.z, 0.0}}}
-                  : std::array{difference(p.x, origin_.x), difference(p.y, origin_.y), difference(p.z, origin_.z)};
-    Height height{{constant_.value_or(0.0), 0.0}, std::abs(constant_.value_or(0.0))};
+    if (constant_) {
+      const TwoTerms x = two_product(normal_[0].high, p.x);
+      const TwoTerms y = two_product(normal_[1].high, p.y);
+      const TwoTerms z = two_product(normal_[2].high, p.z);
+      return {sum(sum(x, y), sum(z, {*constant_, 0.0})), size(x) + size(y) + size(z) + std::abs(*constant_)};
+    }
+    const std::array way{difference(p.x, origin_.x), difference(p.y, origin_.y), difference(p.z, origin_.z)};
+    Height height{{0.0, 0.0}, 0.0};
     for (std::size_t i = 0; i < 3; ++i) {
       height.value = sum(height.value, product(normal_[i], way[i]));
       height.sizes += sizes_[i] * size(way[i]);
@@ -92,7 +93,7 @@ class Heights {
   Point3 origin_;
   std::optional<double> constant_;
   std::array<TwoTerms, 3> normal_{};
-  std::array<double, 3> sizes_{};
+  std::array<double, 3> sizes_{};  // of what a normal is made of, by points
 };
 
 bool in_range(double value) {
