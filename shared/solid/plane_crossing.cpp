@@ -75,10 +75,15 @@ class Heights {
 
   [[nodiscard]] Height over(Point3 p) const {
     if (constant_) {
-      const TwoTerms x = two_product(normal_[0].high, p.x);
-      const TwoTerms y = two_product(normal_[1].high, p.y);
-      const TwoTerms z = two_product(normal_[2].high, p.z);
-      return {sum(sum(x, y), sum(z, {*constant_, 0.0})), size(x) + size(y) + size(z) + std::abs(*constant_)};
+      Height height{{*constant_, 0.0}, std::abs(*constant_)};
+      const std::array<double, 3> at{p.x, p.y, p.z};
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (normal_[i].high == 0.0) continue;  // as in every upright plane
+        const TwoTerms part = two_product(normal_[i].high, at[i]);
+        height.value = sum(height.value, part);
+        height.sizes += size(part);
+      }
+      return height;
     }
     const std::array way{difference(p.x, origin_.x), difference(p.y, origin_.y), difference(p.z, origin_.z)};
     Height height{{0.0, 0.0}, 0.0};
