@@ -1,6 +1,7 @@
 #include "shared/solid/section.h"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <unordered_map>
 
@@ -37,9 +38,10 @@ class Areas {
   Areas(topo::Subdivision& plane, std::size_t solids) : plane_(plane), solids_(solids) {}
 
   void pass(topo::HalfEdgeId h, std::uint32_t solid) {
-    const bool forwards = topo::Subdivision::half_edge(topo::Subdivision::edge(h)) == h;
-    auto& steps = steps_of(topo::Subdivision::edge(h));
-    steps.push_back({solid, forwards ? 1 : -1});
+    const topo::EdgeId e = topo::Subdivision::edge(h);
+    if (last_of_.size() <= e.index()) last_of_.resize(e.index() + 1, none);
+    steps_.push_back({solid, topo::Subdivision::half_edge(e) == h ? 1 : -1, last_of_[e.index()]});
+    last_of_[e.index()] = static_cast<std::uint32_t>(steps_.size() - 1);
   }
 
   /// Sets SectionArea, and takes out the edges that have the same on both sides.
@@ -59,13 +61,9 @@ class Areas {
  private:
   struct Step {
     std::uint32_t solid;
-    int left;  // to the left of half_edge(e) it is surrounded so often more
+    int left;              // to the left of half_edge(e) it is surrounded so often more
+    std::uint32_t before;  // another step of the edge, or none
   };
-
-  std::vector<Step>& steps_of(topo::EdgeId e) {
-    if (steps_.size() <= e.index()) steps_.resize(e.index() + 1);
-    return steps_[e.index()];
-  }
 
   void spread() {
     std::size_t count = 0;
@@ -85,25 +83,28 @@ class Areas {
           known[beyond.index()] = 1;
           auto& numbers = numbers_[beyond.index()] = numbers_[face.index()];
           const bool forwards = topo::Subdivision::half_edge(topo::Subdivision::edge(h)) == h;
-          for (const Step& step : steps_of(topo::Subdivision::edge(h)))
-            numbers[step.solid] -= forwards ? step.left : -step.left;
+          const std::size_t e = topo::Subdivision::edge(h).index();
+          for (std::uint32_t i = e < last_of_.size() ? last_of_[e] : none; i != none; i = steps_[i].before)
+            numbers[steps_[i].solid] -= forwards ? steps_[i].left : -steps_[i].left;
           queue.push_back(beyond);
         }
       }
     }
+    for (const auto& numbers : numbers_) {
+      const auto at = std::find_if(numbers.begin(), numbers.end(), [](int n) { return n > 0; });
+      areas_.push_back(at == numbers.end() ? none : static_cast<std::uint32_t>(at - numbers.begin()));
+    }
   }
 
   /// The first solid that surrounds the face.
-  [[nodiscard]] std::uint32_t area_of(topo::FaceId f) const {
-    const auto& numbers = numbers_[f.index()];
-    const auto at = std::find_if(numbers.begin(), numbers.end(), [](int n) { return n > 0; });
-    return at == numbers.end() ? none : static_cast<std::uint32_t>(at - numbers.begin());
-  }
+  [[nodiscard]] std::uint32_t area_of(topo::FaceId f) const { return areas_[f.index()]; }
 
   topo::Subdivision& plane_;
   std::size_t solids_;
-  std::vector<std::vector<Step>> steps_;
-  std::vector<std::vector<int>> numbers_;
+  std::vector<Step> steps_;
+  std::vector<std::uint32_t> last_of_;     // of each edge, the last of its steps
+  std::vector<std::vector<int>> numbers_;  // of each face, how often each solid surrounds it
+  std::vector<std::uint32_t> areas_;
 };
 
 bool crosses(const Box3& box, const CutPlane& plane) {
@@ -256,36 +257,78 @@ struct Sections::Line {
 
 namespace {
 
-/// What most facets are: a triangle with corners in doubles, none of them in the plane.
-enum class Triangle : std::uint8_t { Missed, Cut, Unclear };
+/// Where edges of one solid meet a plane, for a facet and its neighbours that come soon after.
+class EdgeCrossings {
+ public:
+  EdgeCrossings(const Space& points, const Plane& plane) : points_(points), plane_(plane), kept_(128) {}
+
+  /// None where only exact numbers can tell.  @pre the ends are on different sides, and doubles
+  std::optional<Point3> at(PointId a, PointId b) {
+    if (b < a) std::swap(a, b);
+    Kept& kept = kept_[(a.index() * 0x9e3779b9U ^ b.index() * 0x85ebca6bU) % kept_.size()];
+    if (kept.a != a || kept.b != b) {
+      const auto found = crossing_in_doubles(plane_, points_.rounded(a), points_.rounded(b));
+      kept = {a, b, found ? std::optional(found->at) : std::nullopt};
+    }
+    return kept.at;
+  }
+
+ private:
+  struct Kept {
+    PointId a, b;
+    std::optional<Point3> at;
+  };
+  const Space& points_;
+  const Plane& plane_;
+  std::vector<Kept> kept_;
+};
+
+/// What most facets are: their corners are doubles, none of them in the plane, and their border crosses it twice.
+enum class Simple : std::uint8_t { Missed, Cut, Unclear };
 
 /// The line runs from where the border goes down through the plane to where it comes up.
-Triangle cut_triangle(const Soup& all, const Facet& facet, const Space& space, PlaneId cut, const CutPlane& plane,
-                      std::array<Point3, 2>& ends) {
-  if (facet.corner_end - facet.first_corner != 3) return Triangle::Unclear;
-  std::array<Point3, 3> corner;
-  std::array<Sign, 3> side{};
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const PointId p = all.corners[facet.first_corner + i];
-    if (!all.space.is_exact(p)) return Triangle::Unclear;
-    corner[i] = all.space.rounded(p);
-    side[i] = space.side(cut, corner[i]);
-    if (side[i] == Sign::Zero) return Triangle::Unclear;
+Simple cut_simply(const Soup& all, const Facet& facet, const Space& space, PlaneId cut, EdgeCrossings& crossings,
+                  std::array<Point3, 2>& ends) {
+  struct Corner {
+    PointId point;
+    Sign side;
+  };
+  const auto corner = [&](std::uint32_t i) {
+    const PointId p = all.corners[i];
+    return Corner{p, all.space.is_exact(p) ? space.side(cut, all.space.rounded(p)) : Sign::Zero};
+  };
+  std::array<Corner, 4> crossed{};
+  std::size_t count = 0;
+  for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
+    const std::uint32_t end = all.loop_end(facet, l);
+    Corner last = corner(end - 1);
+    for (std::uint32_t i = all.loop_starts[l]; i < end; ++i) {
+      const Corner next = corner(i);
+      if (next.side == Sign::Zero) return Simple::Unclear;
+      if (next.side != last.side) {
+        if (count == crossed.size()) return Simple::Unclear;
+        crossed[count++] = last;
+        crossed[count++] = next;
+      }
+      last = next;
+    }
   }
-  if (side[0] == side[1] && side[1] == side[2]) return Triangle::Missed;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    if (side[i] == side[j]) continue;
-    const auto at = crossing_in_doubles(plane, corner[i], corner[j]);
-    if (!at) return Triangle::Unclear;
-    ends[side[i] == Sign::Positive ? 0 : 1] = *at;
+  if (count == 0) return Simple::Missed;
+  for (std::size_t i = 0; i < count; i += 2) {
+    const auto at = crossings.at(crossed[i].point, crossed[i + 1].point);
+    if (!at) return Simple::Unclear;
+    ends[crossed[i].side == Sign::Positive ? 0 : 1] = *at;
   }
-  return Triangle::Cut;
+  return Simple::Cut;
 }
 
 /// Segments, each once whatever way it runs.
 class OnceOnly {
  public:
+  explicit OnceOnly(std::size_t most) {
+    numbers_.reserve(most);
+    curves_.reserve(most);
+  }
   /// Its index in all().
   std::size_t add(geom::Point from, geom::Point to) {
     Key key{from.x, from.y, to.x, to.y};
@@ -300,8 +343,11 @@ class OnceOnly {
   using Key = std::array<double, 4>;
   struct Hash {
     std::size_t operator()(const Key& key) const {
-      std::size_t hash = 0;
-      for (const double value : key) hash = (hash ^ std::hash<double>()(value)) * 0x9e3779b97f4a7c15U;
+      std::uint64_t hash = 0;
+      for (const double value : key) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9e3779b97f4a7c15U;  // one zero
+        hash ^= hash >> 32U;
+      }
       return hash;
     }
   };
@@ -322,11 +368,15 @@ std::vector<Sections::Line> Sections::collect(std::uint32_t solid, const CutPlan
   std::vector<Line> lines;
   const Soup& all = solids_[solid].boundary().soup;
   Soup soup;  // of one facet at a time, in a space that the cut's points do not outlive
-  const PlaneId cut = soup.space.add(as_plane(plane));
+  const Plane given = as_plane(plane);
+  const PlaneId cut = soup.space.add(given);
   std::vector<std::uint32_t> found;
   trees_[solid].select([&](const Box3& box) { return crosses(box, plane); },
                        [&](std::uint32_t f) { found.push_back(f); });
+  if (found.empty()) return lines;
   std::sort(found.begin(), found.end());
+  EdgeCrossings crossings(all.space, given);
+  lines.reserve(found.size());
   std::vector<Sign> signs;
   std::vector<Stop> stops;
   for (const std::uint32_t f : found) {
@@ -337,9 +387,9 @@ std::vector<Sections::Line> Sections::collect(std::uint32_t solid, const CutPlan
       if (from != to) lines.push_back({from, to, solid, &solids_[solid].name(FaceId(f))});
     };
     std::array<Point3, 2> ends;
-    const Triangle triangle = cut_triangle(all, facet, soup.space, cut, plane, ends);
-    if (triangle == Triangle::Cut) add(ends[0], ends[1]);
-    if (triangle != Triangle::Unclear) continue;
+    const Simple simple = cut_simply(all, facet, soup.space, cut, crossings, ends);
+    if (simple == Simple::Cut) add(ends[0], ends[1]);
+    if (simple != Simple::Unclear) continue;
     signs.clear();
     soup.begin(soup.space.add(all.space.plane(facet.plane)), 0, 0);
     for (std::uint32_t l = facet.first_loop; l < facet.loop_end; ++l) {
@@ -371,7 +421,9 @@ base::Result<Section> Sections::cut(const CutPlane& plane) const {
   const auto of_solid = base::parallel_map<std::vector<Line>>(
       solids_.size(), [&](std::size_t s) { return collect(static_cast<std::uint32_t>(s), plane, out.frame); });
   // Where two solids meet, each line is there twice.
-  OnceOnly curves;
+  std::size_t count = 0;
+  for (const auto& lines : of_solid) count += lines.size();
+  OnceOnly curves(count);
   std::vector<std::size_t> curve_of;
   for (const auto& lines : of_solid) {
     for (const Line& line : lines) curve_of.push_back(curves.add(line.from, line.to));

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cfloat>
+#include <tuple>
 
 #include "shared/base/check.h"
+#include "shared/solid/plane_crossing.h"
 
 namespace dobra::solid {
 namespace {
@@ -30,6 +32,31 @@ std::uint64_t hash_of(Point3 p) {
 
 double absolute(double value) { return std::abs(value); }
 
+Homogeneous exact_coefficients(const Plane& plane) {
+  if (plane.constant) return {exact(plane.through[0]), Dyadic(*plane.constant)};
+  const Dyadic3 origin = exact(plane.through[0]);
+  const Dyadic3 normal = cross(exact(plane.through[1]) - origin, exact(plane.through[2]) - origin);
+  return {normal, -dot(normal, origin)};
+}
+
+/// The place on the line a-b that divides it as the values at its ends say, which have opposite signs.
+Homogeneous divided(const Homogeneous& a, const Homogeneous& b, const Dyadic& at_a, const Dyadic& at_b) {
+  return {a.place * at_b - b.place * at_a, a.weight * at_b - b.weight * at_a};
+}
+
+/// Where a line through two places meets a plane.
+Homogeneous crossing(const Homogeneous& a, const Homogeneous& b, const Homogeneous& c) {
+  return divided(a, b, dot(c.place, a.place) + c.weight * a.weight, dot(c.place, b.place) + c.weight * b.weight);
+}
+
+Homogeneous with_positive_weight(Homogeneous place) {
+  if (place.weight.sign() == Sign::Negative) {
+    for (Dyadic& value : place.place) value = -value;
+    place.weight = -place.weight;
+  }
+  return place;
+}
+
 }  // namespace
 
 Space::Space() : slots_(64, nothing) {}
@@ -39,16 +66,14 @@ PointId Space::add(Point3 place) {
 }
 
 PointId Space::add(Homogeneous place) {
-  if (place.weight.sign() == Sign::Negative) {
-    for (Dyadic& value : place.place) value = -value;
-    place.weight = -place.weight;
-  }
+  place = with_positive_weight(std::move(place));
   const Point3 near{rounded_quotient(place.place[0], place.weight), rounded_quotient(place.place[1], place.weight),
                     rounded_quotient(place.place[2], place.weight)};
   const Dyadic3 back = exact(near) * place.weight;
   const Dyadic3 rest = back - place.place;
   if (rest[0].zero() && rest[1].zero() && rest[2].zero()) return find_or_add(near, nullptr);
-  return find_or_add(near, &place);
+  const Implicit exact = std::make_shared<const Homogeneous>(std::move(place));
+  return find_or_add(near, &exact);
 }
 
 PointId Space::add(const Space& other, PointId point) {
@@ -56,7 +81,7 @@ PointId Space::add(const Space& other, PointId point) {
   return find_or_add(other.rounded(point), kept == nothing ? nullptr : &other.places_[kept]);
 }
 
-PointId Space::find_or_add(Point3 rounded, const Homogeneous* exact) {
+PointId Space::find_or_add(Point3 rounded, const Implicit* exact) {
   if (2 * (rounded_.size() + 1) > slots_.size()) grow();
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t at = hash_of(rounded) & mask;; at = (at + 1) & mask) {
@@ -72,13 +97,18 @@ PointId Space::find_or_add(Point3 rounded, const Homogeneous* exact) {
   }
 }
 
-bool Space::same(std::uint32_t number, const Homogeneous* exact) const {
+bool Space::same(std::uint32_t number, const Implicit* exact) const {
   // A place of doubles never stands as an exact one, so that the kinds differ where the places do.
   if ((exact_[number] == nothing) != (exact == nullptr)) return false;
   if (exact == nullptr) return true;
-  const Homogeneous& own = places_[exact_[number]];
+  const Implicit& kept = places_[exact_[number]];
+  const auto* crossing = std::get_if<Crossing>(&kept);
+  const auto* other = std::get_if<Crossing>(exact);
+  if (crossing != nullptr && other != nullptr && *crossing == *other) return true;
+  const Homogeneous own = place(kept);
+  const Homogeneous theirs = place(*exact);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(own.place[i] * exact->weight - exact->place[i] * own.weight).zero()) return false;
+    if (!(own.place[i] * theirs.weight - theirs.place[i] * own.weight).zero()) return false;
   }
   return true;
 }
@@ -112,23 +142,19 @@ PlaneId Space::add(const Plane& plane) {
 
 Homogeneous Space::place(PointId p) const {
   const std::uint32_t kept = exact_[p.index()];
-  if (kept != nothing) return places_[kept];
+  if (kept != nothing) return place(places_[kept]);
   return {exact(rounded_[p.index()]), Dyadic(1.0)};
+}
+
+Homogeneous Space::place(const Implicit& implicit) {
+  if (const auto* kept = std::get_if<0>(&implicit)) return **kept;
+  const auto& [a, b, plane] = std::get<Crossing>(implicit);
+  return with_positive_weight(crossing({exact(a), Dyadic(1.0)}, {exact(b), Dyadic(1.0)}, exact_coefficients(plane)));
 }
 
 const Homogeneous& Space::coefficients(PlaneId q) const {
   const KeptPlane& plane = planes_[q.index()];
-  if (!plane.exact) {
-    plane.exact = std::make_unique<Homogeneous>();
-    const auto& through = plane.given.through;
-    if (plane.given.constant) {
-      *plane.exact = {exact(through[0]), Dyadic(*plane.given.constant)};
-    } else {
-      const Dyadic3 origin = exact(through[0]);
-      const Dyadic3 normal = cross(exact(through[1]) - origin, exact(through[2]) - origin);
-      *plane.exact = {normal, -dot(normal, origin)};
-    }
-  }
+  if (!plane.exact) plane.exact = std::make_unique<Homogeneous>(exact_coefficients(plane.given));
   return *plane.exact;
 }
 
@@ -197,6 +223,9 @@ bool Space::coplanar(PlaneId a, PlaneId b) const {
           1.01 * (own.error.x * absolute(r.x) + own.error.y * absolute(r.y) + own.error.z * absolute(r.z));
       if (absolute(dot(own.normal, r)) > std::max(bound, least_bound)) return false;
     }
+    for (const Point3& p : other.through) {
+      if (apart_in_doubles(own.given, p)) return false;
+    }
   }
   const Homogeneous& c = coefficients(a);
   const Homogeneous& d = coefficients(b);
@@ -236,7 +265,26 @@ Sign Space::orient(Projection onto, PointId a, PointId b, PointId c) const {
   const double bound = 4.0 * unit * (absolute(pu * qv) + absolute(pv * qu)) +
                        1.01 * slip * (absolute(pu) + absolute(pv) + absolute(qu) + absolute(qv)) + 3.0 * slip * slip;
   if (absolute(value) > std::max(bound, least_bound)) return geom::sign_of(value);
+  if (on_one_edge(a, b, c)) return Sign::Zero;
   return exact_orient(onto, a, b, c).sign();
+}
+
+bool Space::on_one_edge(PointId a, PointId b, PointId c) const {
+  const Crossing* edge = nullptr;
+  for (const PointId p : {a, b, c}) {
+    const std::uint32_t kept = exact_[p.index()];
+    if (kept == nothing) continue;
+    const auto* own = std::get_if<Crossing>(&places_[kept]);
+    if (own == nullptr) return false;
+    if (edge == nullptr) edge = own;
+    if (own->a != edge->a || own->b != edge->b) return false;
+  }
+  if (edge == nullptr) return false;
+  for (const PointId p : {a, b, c}) {
+    const Point3 at = rounded_[p.index()];
+    if (is_exact(p) && at != edge->a && at != edge->b) return false;
+  }
+  return true;
 }
 
 bool Space::collinear(PointId a, PointId b, PointId c) const {
@@ -261,20 +309,34 @@ std::strong_ordering Space::compare(Projection onto, PointId a, PointId b) const
   return first != std::strong_ordering::equal ? first : compare(onto.v, a, b);
 }
 
-namespace {
-
-/// The place on the line a-b that divides it as the values at its ends say, which have opposite signs.
-Homogeneous divided(const Homogeneous& a, const Homogeneous& b, const Dyadic& at_a, const Dyadic& at_b) {
-  return {a.place * at_b - b.place * at_a, a.weight * at_b - b.weight * at_a};
+std::size_t Space::Hash::operator()(const EdgeAndPlane& key) const {
+  std::uint64_t hash = (std::uint64_t{key.a.index()} << 32U) ^ key.b.index();
+  hash = (hash ^ (hash >> 29U)) * 0xff51afd7ed558ccdU + key.plane.index();
+  return (hash ^ (hash >> 32U)) * 0x9e3779b97f4a7c15U;
 }
 
-}  // namespace
-
 PointId Space::meet(PointId a, PointId b, PlaneId q) {
-  const Homogeneous& c = coefficients(q);
-  const Homogeneous p = place(a);
-  const Homogeneous r = place(b);
-  return add(divided(p, r, dot(c.place, p.place) + c.weight * p.weight, dot(c.place, r.place) + c.weight * r.weight));
+  if (b < a) std::swap(a, b);
+  const EdgeAndPlane key{a, b, q};
+  if (const auto known = crossings_.find(key); known != crossings_.end()) return known->second;
+  const PointId added = add_crossing(a, b, q);
+  crossings_.emplace(key, added);
+  return added;
+}
+
+PointId Space::add_crossing(PointId a, PointId b, PlaneId q) {
+  if (is_exact(a) && is_exact(b)) {
+    const Point3 from = rounded(a);
+    const Point3 to = rounded(b);
+    const auto found = crossing_in_doubles(plane(q), from, to);
+    if (found && found->rounded) {
+      const Point3& near = found->at;
+      const bool forwards = std::tie(from.x, from.y, from.z) < std::tie(to.x, to.y, to.z);
+      const Implicit implicit = Crossing{forwards ? from : to, forwards ? to : from, plane(q)};
+      return find_or_add({near.x + 0.0, near.y + 0.0, near.z + 0.0}, &implicit);
+    }
+  }
+  return add(crossing(place(a), place(b), coefficients(q)));
 }
 
 PointId Space::meet(PlaneId a, PlaneId b, PlaneId c) {

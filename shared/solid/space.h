@@ -1,11 +1,14 @@
 #pragma once
 // Exact points and planes under numbers. A point is three doubles, or where planes and edges meet, four exact numbers
-// (x, y, z, w) with w > 0 and the nearest doubles of x/w, y/w, z/w beside. A plane runs through three points of
-// doubles, or has four doubles as coefficients. Equal places have equal numbers, so that everything built on them is
-// combinatorial. Every sign is decided by a filter in doubles, then exactly. Page: docs/algorithms/boolean.md.
+// (x, y, z, w) with w > 0 and the nearest doubles of x/w, y/w, z/w beside; where an edge between doubles meets a plane,
+// the exact numbers are worked out only where they are asked for. A plane runs through three points of doubles, or has
+// four doubles as coefficients. Equal places have equal numbers, so that everything built on them is combinatorial.
+// Every sign is decided by a filter in doubles, then exactly. Page: docs/algorithms/boolean.md.
 
 #include <memory>
 #include <optional>
+#include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "shared/base/id.h"
@@ -107,19 +110,42 @@ class Space {
     mutable std::unique_ptr<Homogeneous> exact;
   };
 
+  /// Where the line through a and b meets the plane, one of them above it and one below.
+  struct Crossing {
+    geom::Point3 a, b;
+    Plane plane;
+    friend bool operator==(const Crossing&, const Crossing&) = default;
+  };
+  /// What is not three doubles.
+  using Implicit = std::variant<std::shared_ptr<const Homogeneous>, Crossing>;
+  /// An edge, its lesser end first, and a plane.
+  struct EdgeAndPlane {
+    PointId a, b;
+    PlaneId plane;
+    friend bool operator==(const EdgeAndPlane&, const EdgeAndPlane&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const EdgeAndPlane& key) const;
+  };
+
   /// @param exact  gives the place, where the filter cannot tell.
   template <class Exact>
   [[nodiscard]] geom::Sign side(PlaneId q, geom::Point3 at, bool is_exact, Exact&& exact) const;
-  PointId find_or_add(geom::Point3 rounded, const Homogeneous* exact);
+  PointId find_or_add(geom::Point3 rounded, const Implicit* exact);
   void grow();
-  [[nodiscard]] bool same(std::uint32_t number, const Homogeneous* exact) const;
+  [[nodiscard]] bool same(std::uint32_t number, const Implicit* exact) const;
+  [[nodiscard]] static Homogeneous place(const Implicit& implicit);
+  PointId add_crossing(PointId a, PointId b, PlaneId q);
+  /// Whether all are known to be on the line of one edge, as they were made on it; no says nothing.
+  [[nodiscard]] bool on_one_edge(PointId a, PointId b, PointId c) const;
   [[nodiscard]] Dyadic exact_orient(Projection onto, PointId a, PointId b, PointId c) const;
 
   std::vector<geom::Point3> rounded_;
   std::vector<std::uint32_t> exact_;
-  std::vector<Homogeneous> places_;
+  std::vector<Implicit> places_;
   std::vector<KeptPlane> planes_;
   std::vector<std::uint32_t> slots_;
+  std::unordered_map<EdgeAndPlane, PointId, Hash> crossings_;
 };
 
 }  // namespace dobra::solid

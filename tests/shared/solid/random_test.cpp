@@ -49,9 +49,36 @@ PolygonMesh lattice_box(Random& random) {
   return box(low, high);
 }
 
+/// Of a field of heights that goes on without end, the same for the same number: above nought, below three.
+double height(int field, long i, long j) {
+  Random there(static_cast<std::uint64_t>(1000000 * field + 1000 * i + j));
+  if (field == 0) return whole(there, 1, 2);
+  if (field == 1) return static_cast<double>(whole(there, 2, 10)) / 4.0;
+  return static_cast<double>(whole(there, 20000, 180000)) * step;
+}
+
+/// The block under a window of a field. Blocks of one field have tops that coincide where they overlap, unless they are
+/// shifted by less than a cell, or in height.
+PolygonMesh terrain_block(Random& random, int field, bool on_lattice) {
+  const int columns = whole(random, 1, 4);
+  const int rows = whole(random, 1, 4);
+  const int first = whole(random, 0, 2);
+  const int second = whole(random, 0, 2);
+  const auto shift = [&] { return on_lattice ? 0.0 : static_cast<double>(whole(random, 1, 65535)) * step; };
+  const geom::Vector3 by{shift(), shift(), on_lattice ? static_cast<double>(whole(random, 0, 1)) : shift()};
+  const double low = -0.5 * whole(random, 0, 2);
+  return moved(terrain(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), low,
+                       [&](std::uint32_t i, std::uint32_t j) {
+                         const long x = first + static_cast<long>(i);
+                         const long y = second + static_cast<long>(j);
+                         return Point3{static_cast<double>(x), static_cast<double>(y), height(field, x, y)};
+                       }),
+               by);
+}
+
 PolygonMesh shape(Random& random) {
   const auto size = [&] { return 0.5 + static_cast<double>(whole(random, 0, 8)) / 4.0; };
-  switch (whole(random, 0, 6)) {
+  switch (whole(random, 0, 7)) {
     case 0:
     case 1:
       return lattice_box(random);
@@ -64,6 +91,8 @@ PolygonMesh shape(Random& random) {
       return on_grid(moved(prism(gear(whole(random, 3, 9), 1, 1.5, whole(random, 0, 3)), 0, size()), {2, 2, 1}));
     case 5:
       return on_grid(sphere({2, 2, double(whole(random, 0, 2))}, size(), 5, 7));
+    case 6:
+      return terrain_block(random, whole(random, 0, 2), whole(random, 0, 1) == 0);
     default: {
       const auto corner = [&] {
         return Point3{double(whole(random, 0, 4)), double(whole(random, 0, 4)), double(whole(random, 0, 4))};
@@ -194,6 +223,19 @@ TEST(SolidRandom, PairsOfAllKindsKeepTheirVolumesAndPoints) {
     Random random(seed + 77000000);
     const PolygonMesh a = shape(random);
     const PolygonMesh b = shape(random);
+    check_pair(a, b, points_of_a_pair(), random);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(SolidRandom, PairsOfTerrainBlocksMeetAlongTheirTopsOrCrossThem) {
+  const std::uint64_t first = first_seed();
+  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(cases(40)); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed + 99000000);
+    const int field = whole(random, 0, 2);
+    const PolygonMesh a = terrain_block(random, field, true);
+    const PolygonMesh b = terrain_block(random, field, whole(random, 0, 1) == 0);
     check_pair(a, b, points_of_a_pair(), random);
     if (HasFailure()) return;
   }

@@ -106,6 +106,38 @@ inline PolygonMesh sphere(Point3 centre, double radius, std::uint32_t rows, std:
   return mesh;
 }
 
+/// A block under a field of heights: the top has two triangles a cell, top(i, j) is its point at column i and row j.
+/// @pre x goes up with i alone, y with j alone; all z are above low.
+template <class Top>
+PolygonMesh terrain(std::uint32_t columns, std::uint32_t rows, double low, Top&& top) {
+  PolygonMesh mesh;
+  for (std::uint32_t j = 0; j <= rows; ++j) {
+    for (std::uint32_t i = 0; i <= columns; ++i) mesh.points.push_back(top(i, j));
+  }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return j * (columns + 1) + i; };
+  for (std::uint32_t j = 0; j < rows; ++j) {
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  // The corners below, anticlockwise from above, and a polygon down from each side of the top.
+  const auto below = static_cast<std::uint32_t>(mesh.points.size());
+  const std::uint32_t corners[] = {at(0, 0), at(columns, 0), at(columns, rows), at(0, rows)};
+  for (const std::uint32_t corner : corners) mesh.points.push_back({mesh.points[corner].x, mesh.points[corner].y, low});
+  mesh.faces.push_back({below + 3, below + 2, below + 1, below});
+  const auto side = [&](std::uint32_t k, std::uint32_t count, auto&& node) {
+    std::vector<std::uint32_t> face{below + k, below + (k + 1) % 4};
+    for (std::uint32_t i = 0; i <= count; ++i) face.push_back(node(count - i));
+    mesh.faces.push_back(std::move(face));
+  };
+  side(0, columns, [&](std::uint32_t i) { return at(i, 0); });
+  side(1, rows, [&](std::uint32_t j) { return at(columns, j); });
+  side(2, columns, [&](std::uint32_t i) { return at(columns - i, rows); });
+  side(3, rows, [&](std::uint32_t j) { return at(0, rows - j); });
+  return mesh;
+}
+
 /// Turned about an axis through the origin, rounded to doubles.
 inline PolygonMesh rotated(PolygonMesh mesh, geom::Vector3 axis, double angle) {
   const geom::Vector3 n = normalised(axis);
