@@ -114,18 +114,6 @@ struct Place {
   std::size_t part = 0;
 };
 
-/// "A" and 12 of "A (12)"; nothing where a name has no such end.
-std::optional<std::pair<std::string, std::size_t>> numbered_name(const std::string& name) {
-  const std::size_t open = name.rfind(" (");
-  if (open == std::string::npos || open == 0 || name.back() != ')') return std::nullopt;
-  std::size_t number = 0;
-  const char* begin = name.data() + open + 2;
-  const char* end = name.data() + name.size() - 1;
-  const auto [read, error] = std::from_chars(begin, end, number);
-  if (error != std::errc() || read != end || *begin == '0' || number > 999999) return std::nullopt;
-  return std::pair{name.substr(0, open), number};
-}
-
 class Importer {
  public:
   explicit Importer(const std::vector<io::lines::Feature>& features) : features_(features) {}
@@ -248,6 +236,17 @@ std::vector<HorizonInput>& list_of(SectionInput& input, const std::string& table
 }
 
 }  // namespace
+
+std::optional<std::pair<std::string, std::size_t>> numbered_name(const std::string& name) {
+  const std::size_t open = name.rfind(" (");
+  if (open == std::string::npos || open == 0 || name.back() != ')') return std::nullopt;
+  std::size_t number = 0;
+  const char* begin = name.data() + open + 2;
+  const char* end = name.data() + name.size() - 1;
+  const auto [read, error] = std::from_chars(begin, end, number);
+  if (error != std::errc() || read != end || *begin == '0' || number > 999999) return std::nullopt;
+  return std::pair{name.substr(0, open), number};
+}
 
 bool is_horizon(const io::lines::Feature& feature) {
   if (feature.type != io::lines::FeatureType::Lines) return false;

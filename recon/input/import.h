@@ -28,6 +28,9 @@ struct Import {
   std::vector<std::string> remarks;
 };
 
+/// "A" and 12 of "A (12)"; nothing where a name has no such end.
+std::optional<std::pair<std::string, std::size_t>> numbered_name(const std::string& name);
+
 /// A line that is, or is a piece of, a horizon.
 bool is_horizon(const dobra::io::lines::Feature& feature);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "recon/input/import.h"
+
 namespace recon::space {
 
 namespace loft = dobra::surf::loft;
@@ -40,11 +42,40 @@ std::vector<VolumeRow> volumes_of(MadeSurfaces& made) {
   return volumes;
 }
 
+/// A line called "A (1)" alone is a piece of A where other sections have an A and its own has none.
+std::vector<loft::Finding> join_single_pieces(std::vector<loft::Section>& sections) {
+  std::vector<loft::Finding> findings;
+  const auto has = [](const loft::Section& section, const std::string& name) {
+    return std::any_of(section.lines.begin(), section.lines.end(),
+                       [&](const loft::SectionLine& line) { return line.name == name; });
+  };
+  const std::vector<loft::Section> given = sections;
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    const loft::Section& section = given[s];
+    for (loft::SectionLine& line : sections[s].lines) {
+      const auto numbered = input::numbered_name(line.name);
+      if (!numbered || has(section, numbered->first)) continue;
+      if (std::none_of(given.begin(), given.end(), [&](const auto& other) { return has(other, numbered->first); }))
+        continue;
+      const std::string item = fmt::format("section '{}'", section.name);
+      const auto at = section.trace.in_space(line.line.points.front());
+      findings.push_back({"piece_joined",
+                          fmt::format("{}: '{}' is taken for a piece of {} '{}', which other sections have; give it "
+                                      "another name if it is none",
+                                      item, line.name, loft::kind_name(line.kind), numbered->first),
+                          {.item = item, .x = at.x, .y = at.y, .z = at.z}});
+      line.name = numbered->first;
+    }
+  }
+  return findings;
+}
+
 }  // namespace
 
 Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfaceParams& params) {
   std::vector<loft::Section> sections;
   for (const PlacedSection& one : placed.sections) sections.push_back(lines_of(one));
+  std::vector<loft::Finding> joined = join_single_pieces(sections);
   loft::ThroughOptions options;
   options.ties.most = params.mistie_tolerance;
   options.rows = static_cast<std::size_t>(params.rows);
@@ -64,6 +95,7 @@ Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfacePa
     return Error{ErrorCode::BadSection, fmt::format("no surface goes through the sections: {}", why),
                  findings.front().place};
   }
+  made.made.findings.insert(made.made.findings.end(), joined.begin(), joined.end());
   for (const loft::NamedSurface& surface : made.made.surfaces) {
     made.rows.push_back(row_of(surface, made.made));
     if (!params.contours) continue;

@@ -271,6 +271,8 @@ class Through {
              place_at(section.trace.in_space(line->line.points.front()), fmt::format("section '{}'", section.name)));
         continue;
       }
+      constexpr double rounded = 1e-9;
+      if (most <= rounded * made_.size) continue;  // it lies on the surface
       tell("left_out",
            fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and the "
                        "line of '{}' is up to {:.6g} m from it",

@@ -3,6 +3,7 @@
 #include "recon/cli/space_commands.h"
 
 #include <fmt/format.h>
+#include <map>
 
 #include <algorithm>
 #include <cmath>
@@ -184,6 +185,30 @@ TEST_F(SpaceCommands, RemarksOfReadingAreFindingsWithTheirSectionAndPlace) {
     EXPECT_NE(remark["message"].get<std::string>().find("2 pieces"), std::string::npos) << remark;
   }
   EXPECT_NE(call({"surface", file}).err.find("straight on (at 0, 700)"), std::string::npos);
+}
+
+/// Two planes that cross along x = 500: 500 m by 200 m by 1000 m, halved, on either side.
+TEST_F(SpaceCommands, ASinglePieceATopographyAndHorizonsThatCrossAreTold) {
+  const std::string planes = "0,100,A,horizon\n1000,-100,A,horizon\n\n0,-100,B,horizon\n1000,100,B,horizon\n";
+  (void)put("a.csv", "x,z,name,kind\n" + planes + "\n0,300,T,topography\n1000,300,T,topography\n");
+  (void)put("b.csv",
+            "x,z,name,kind\n0,100,A (1),horizon\n1000,-100,A (1),horizon\n\n0,-100,B,horizon\n"
+            "1000,100,B,horizon\n");
+  const std::string file = put("d.toml",
+                               "dobra = 1\nprogram = \"recon\"\n[input]\n[[input.section]]\nname = \"one\"\nfile = "
+                               "\"a.csv\"\ntrace = [0, 0, 1000, 0]\n[[input.section]]\nname = \"two\"\nfile = "
+                               "\"b.csv\"\ntrace = [0, 1000, 1000, 1000]\n");
+  const SpaceOut told = json({"surface", file, "--json", "--quiet"});
+  EXPECT_EQ(told["surfaces"].size(), 2U) << told;
+  std::map<std::string, SpaceOut> findings;
+  for (const SpaceOut& f : told["findings"]) findings[f["code"]] = f;
+  ASSERT_EQ(findings.count("topography_left_out") + findings.count("piece_joined") + findings.count("cross"), 3U)
+      << told;
+  EXPECT_EQ(findings["topography_left_out"]["place"]["item"], "section 'one'");
+  EXPECT_EQ(findings["piece_joined"]["place"]["item"], "section 'two'");
+  EXPECT_NEAR(told["volumes"][0]["volume"].get<double>(), 0.0, 1e-3);
+  EXPECT_NEAR(told["volumes"][0]["below"].get<double>(), 5e7, 1e-3);
+  EXPECT_NE(call({"surface", file}).out.find("(5e+07 above, 5e+07 below)"), std::string::npos);
 }
 
 TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {
