@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "shared/surf/remesh/estimate.h"
 #include "shared/surf/remesh/one_sheet.h"
 
 namespace dobra::surf::remesh {
@@ -68,6 +69,20 @@ std::vector<Finding> gathered(const std::vector<std::vector<Finding>>& of_pieces
   return all;
 }
 
+/// @error TooManyElements: the size means more triangles than the limit
+Result<void> not_too_many(const std::vector<param::SheetMade>& sheets, const RemeshOptions& options, double size) {
+  Demand demand;
+  for (const param::SheetMade& made : sheets) demand.add(made.sheet, options.crease);
+  const double triangles = demand.triangles(size), most = static_cast<double>(options.most_triangles);
+  if (triangles <= most) return {};
+  constexpr double at_ease = 0.1;  // of the limit
+  return Error{ErrorCode::TooManyElements,
+               fmt::format("size {:.6g} means about {:.2g} triangles, and the limit is {}: give a greater one, such as "
+                           "{:.6g}",
+                           size, triangles, options.most_triangles, demand.size_for(at_ease * most)),
+               place_of(sheets.front().sheet.points[0])};
+}
+
 }  // namespace
 
 Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
@@ -82,6 +97,7 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
     count += static_cast<double>(made.sheet.twins.size());
   }
   const double size = options.size > 0.0 ? options.size : sides / count;
+  DOBRA_TRY_VOID(not_too_many(sheets, options, size));
   if (sheets.size() == 1) return remesh_sheet(sheets.front(), options, size, progress);
   Remeshed all;
   std::vector<std::vector<Finding>> findings{

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "shared/surf/remesh/polish.h"
+#include "shared/surf/remesh/triangle_tree.h"
 #include "tests/support/sheets.h"
 
 namespace dobra::surf::remesh {
@@ -257,6 +259,55 @@ TEST(Remesh, ASizeTooLargeForTheMeshIsRefusedWithOneThatMayDo) {
     EXPECT_NE(made.error().message.find("is too large for this mesh"), std::string::npos) << made.error().message;
   }
   EXPECT_TRUE(remesh(tetrahedron, {.size = 0.5}).ok());
+}
+
+/// The number behind the last "such as" of a refusal.
+double advised(const base::Error& error) {
+  const std::size_t at = error.message.rfind("such as ");
+  return at == std::string::npos ? 0.0 : std::strtod(error.message.c_str() + at + 8, nullptr);
+}
+
+TEST(Remesh, ASizeOrAChordThatMeansMoreTrianglesThanTheLimitIsRefusedAtOnceWithOneThatWorks) {
+  const PolygonMesh plane = grid_mesh(3, 3, [](double u, double v) { return Point3{u, v, 0}; });
+  // An equilateral triangle of side s has an area of sqrt(3) / 4 s2, so 0.01 means 23094 of them.
+  const auto refused = remesh(plane, {.size = 0.01, .most_triangles = 20'000});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, base::ErrorCode::TooManyElements);
+  const auto works = remesh(plane, {.size = advised(refused.error()), .most_triangles = 20'000});
+  ASSERT_TRUE(works.ok()) << works.error().message;
+  EXPECT_LT(works->quality.triangles, 20'000U);
+  EXPECT_TRUE(remesh(plane, {.size = 0.013, .most_triangles = 20'000}).ok());
+  for (const double unit : {1e-9, 1.0, 1e120}) {  // from one to 10^248 triangles
+    PolygonMesh scaled = plane;
+    for (Point3& p : scaled.points) p = {unit * p.x, unit * p.y, unit * p.z};
+    const auto made = remesh(scaled, {.size = 1e-4 * std::min(unit, 1.0)});
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, base::ErrorCode::TooManyElements);
+    EXPECT_GT(advised(made.error()), 1e-4 * unit);
+  }
+  // A sphere of chords needs sides of sqrt(8 chord r): 1e-4 means 4 pi / (0.433 * 8e-4) = 36276 triangles.
+  const PolygonMesh ball = test::sphere_mesh(48);
+  const auto fine = remesh(ball, {.size = 0.3, .chord = 1e-4, .most_triangles = 8'000});
+  ASSERT_FALSE(fine.ok());
+  EXPECT_EQ(fine.error().code, base::ErrorCode::TooManyElements);
+  const auto coarse = remesh(ball, {.size = 0.3, .chord = advised(fine.error()), .most_triangles = 8'000});
+  ASSERT_TRUE(coarse.ok()) << coarse.error().message;
+  EXPECT_LT(coarse->quality.triangles, 8'000U);
+}
+
+TEST(Remesh, WorkThatIsCancelledEndsInEveryStep) {
+  const PolygonMesh hill = test::shaken_grid(30, 30, 0.5, 1, [](double u, double v) {
+    return Point3{u, v, 0.08 * std::sin(7 * u) * std::cos(6 * v)};
+  });
+  const base::CancelToken token;
+  token.cancel();
+  const auto sheet = param::sheet_of(hill)->sheet;
+  mesh::SurfaceMesh mesh = remesh(hill, {.size = 0.1})->mesh;
+  const base::Progress progress(token, {});
+  const auto polished = polish(mesh, sheet, TriangleTree(sheet.points, sheet.triangles), progress);
+  ASSERT_FALSE(polished.ok());
+  EXPECT_EQ(polished.error().code, base::ErrorCode::Cancelled);
+  EXPECT_EQ(remesh(hill, {.size = 0.1}, progress).error().code, base::ErrorCode::Cancelled);
 }
 
 TEST(Remesh, ANeedleTooSharpForTheSizeIsRefusedAtItsTip) {
