@@ -98,13 +98,13 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   }
   const double size = options.size > 0.0 ? options.size : sides / count;
   DOBRA_TRY_VOID(not_too_many(sheets, options, size));
-  if (sheets.size() == 1) return remesh_sheet(sheets.front(), options, size, progress);
+  if (sheets.size() == 1) return remesh_sheet(sheets.front(), options, size, Advice::Size, progress);
   Remeshed all;
   std::vector<std::vector<Finding>> findings{
       {{"pieces", fmt::format("the mesh has several pieces, each meshed by itself: {}", sheets.size()), {}}}};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const double done = static_cast<double>(i), of = static_cast<double>(sheets.size());
-    auto made = remesh_sheet(sheets[i], options, size, progress.part(done / of, (done + 1.0) / of));
+    auto made = remesh_sheet(sheets[i], options, size, Advice::None, progress.part(done / of, (done + 1.0) / of));
     if (!made && made.error().code != ErrorCode::InvalidOption) return made;
     if (!made) {
       const Finding stays{"piece_kept",
@@ -119,6 +119,8 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
     all.creases += made->creases;
     all.cut_creases += made->cut_creases;
     all.narrow_creases += made->narrow_creases;
+    all.short_creases += made->short_creases;
+    all.folded += made->folded;
     all.area_before += made->area_before;
     all.rounds = std::max(all.rounds, made->rounds);
     findings.push_back(std::move(made->findings));

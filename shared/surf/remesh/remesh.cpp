@@ -95,14 +95,18 @@ bool lies_in_a_line(std::span<const Point> points) {
 /// One sheet at work.
 class Remesher {
  public:
-  Remesher(Atlas atlas, const RemeshOptions& options, double size)
-      : atlas_(std::move(atlas)),
+  Remesher(const Atlas& atlas, const RemeshOptions& options, double size, Creases creases)
+      : atlas_(atlas),
         options_(options),
         size_(size),
+        creases_(creases),
         sizes_(atlas_.before.points.size(), size),
         tree_(atlas_.before.points, atlas_.before.triangles) {
     for (const Point3 p : atlas_.before.points) box_.add(p);
   }
+
+  /// Some creases were, when it was run.
+  [[nodiscard]] bool left_out() const { return left_out_; }
 
   Result<Remeshed> run(const base::Progress& progress) {
     for (const Part& part : atlas_.parts) {
@@ -122,6 +126,7 @@ class Remesher {
       while (!mesh && mesh.error().code != ErrorCode::Cancelled && mesh.error().code != ErrorCode::InvalidOption &&
              change_guide(at, made, mesh.error()))
         mesh = fill(made, step, at);
+      left_out_ = made.narrow_creases + made.short_creases > 0;
       if (!mesh) return in_space(mesh.error(), at);
       made.mesh = std::move(*mesh);
       made.flipped = 0;
@@ -162,6 +167,15 @@ class Remesher {
                                            made.narrow_creases),
                                place_of(made.narrow_at)});
     }
+    constexpr double same = 1e-9;  // of the extent: where nothing is off, short creases are sides
+    if (made.short_creases > 0 && made.deviation > same * box_.diagonal()) {
+      made.findings.push_back({"crease_left_out",
+                               fmt::format("lines at which the mesh folds that are shorter than a side, and are left "
+                                           "out: {}; give a smaller size to keep them",
+                                           made.short_creases),
+                               place_of(made.short_at)});
+    }
+    made.folded = turned.size();
     if (!turned.empty()) {
       made.findings.push_back(
           {"folded", fmt::format("triangles that face against the old mesh: {}; give a smaller size", turned.size()),
@@ -316,11 +330,13 @@ class Remesher {
 
   /// @param at  on an error the part that it is of
   Result<mesh::SurfaceMesh> fill(Remeshed& made, const base::Progress& progress, std::size_t& at) const {
-    Network network = divide_network(atlas_, sizes_, options_.corner, crease_);
+    Network network = divide_network(atlas_, sizes_, options_.corner, crease_, creases_);
     made.creases = network.creases;
     made.cut_creases = network.cut_creases;
     made.narrow_creases = network.narrow;
     made.narrow_at = network.narrow_at;
+    made.short_creases = network.loose;
+    made.short_at = network.loose_at;
     mesh::Division division;
     division.nodes = network.nodes;
     std::vector<mesh::FaceMesh> faces;
@@ -340,9 +356,7 @@ class Remesher {
 
   [[nodiscard]] Error too_large(const std::string& why, const std::optional<base::Place>& place) const {
     return {ErrorCode::InvalidOption,
-            fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one, such as {:.6g}", size_, why,
-                        std::min(0.5 * size_, mean_side(atlas_.before))),
-            place};
+            fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one", size_, why), place};
   }
 
   /// Its input goes to the faces of the division.
@@ -466,9 +480,11 @@ class Remesher {
     return finer;
   }
 
-  const Atlas atlas_;
+  const Atlas& atlas_;
   const RemeshOptions& options_;
   const double size_;
+  const Creases creases_;
+  bool left_out_ = false;
   geom::Box3 box_;
   std::vector<double> sizes_;  ///< One a point of the sheet before the cut, m.
   const TriangleTree tree_;
@@ -481,6 +497,15 @@ class Remesher {
 
 namespace {
 
+bool is_off(const Remeshed& made, const RemeshOptions& options) {
+  return made.folded > 0 || std::abs(made.quality.area - made.area_before) > options.area_off * made.area_before;
+}
+/// To the mesh given.
+bool is_nearer(const Remeshed& a, const Remeshed& b) {
+  const auto off = [](const Remeshed& m) { return std::pair(m.folded, std::abs(m.quality.area - m.area_before)); };
+  return off(a) < off(b);
+}
+
 /// Another chart would not help.
 bool ends_it(const Error& error) {
   return error.code == ErrorCode::Cancelled || error.code == ErrorCode::TooManyElements;
@@ -488,8 +513,8 @@ bool ends_it(const Error& error) {
 
 }  // namespace
 
-Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& options, double size,
-                              const base::Progress& progress) {
+Result<Remeshed> remesh_once(param::SheetMade made, const RemeshOptions& options, double size,
+                             const base::Progress& progress) {
   const auto is_small_and_closed = [](const Sheet& sheet) {
     constexpr std::size_t few = 16;  // too few to be cut open, as those of a tetrahedron
     return sheet.loops.empty() && sheet.triangles.size() < few;
@@ -502,7 +527,15 @@ Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& option
                           .crease = options.crease,
                           .most_stretch = options.most_stretch,
                           .least_area = least_part * size * size};
-  const auto run = [&](Atlas atlas) { return Remesher(std::move(atlas), options, size).run(progress); };
+  // Creases that are left out are kept where it does not do without them.
+  const auto run = [&](const Atlas& atlas) {
+    Remesher clear(atlas, options, size, Creases::Clear);
+    auto done = clear.run(progress);
+    if (!clear.left_out() || (done ? !is_off(*done, options) : ends_it(done.error()))) return done;
+    auto all = Remesher(atlas, options, size, Creases::All).run(progress);
+    if (!all && done && ends_it(all.error())) return all;
+    return all && (!done || is_nearer(*all, *done)) ? all : done;
+  };
   // One chart is the best, as far as it keeps its scale.
   const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
   const Holes second = first == Holes::Cut ? Holes::Stay : Holes::Cut;
@@ -511,12 +544,12 @@ Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& option
     if (holes != first && !keeps_holes(made.sheet)) break;
     auto atlas = single_chart(made, holes, flat, progress);
     if (atlas && atlas->stretch > flat.most_stretch) continue;
-    auto done = atlas ? run(std::move(*atlas)) : Result<Remeshed>(atlas.error());
+    auto done = atlas ? run(*atlas) : Result<Remeshed>(atlas.error());
     if (done || ends_it(done.error())) return done;
     if (!why) why = done.error();
   }
   auto atlas = several_charts(made, flat, progress);
-  auto done = atlas ? run(std::move(*atlas)) : Result<Remeshed>(atlas.error());
+  auto done = atlas ? run(*atlas) : Result<Remeshed>(atlas.error());
   if (done || ends_it(done.error()) || !why) return done;
   return *why;
 }
