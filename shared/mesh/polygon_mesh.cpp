@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "shared/mesh/face_turns.h"
+
 namespace dobra::mesh {
 namespace {
 
@@ -148,7 +150,10 @@ class Check {
   /// Spreads one turn over the faces joined by edges of two; those that need the other one are reversed.
   void turns() {
     std::vector<std::vector<std::pair<Index, bool>>> neighbours(mesh_.faces.size());  // And whether the turns agree.
+    std::vector<bool> bordered(mesh_.faces.size(), false);
     each_edge(passages_, [&](std::span<const Passage> edge) {
+      if (edge.size() != 2)
+        for (const Passage& passage : edge) bordered[passage.face] = true;
       if (edge.size() != 2 || edge[0].face == edge[1].face) return;
       const bool agree = edge[0].forwards != edge[1].forwards;
       neighbours[edge[0].face].push_back({edge[1].face, agree});
@@ -160,11 +165,12 @@ class Check {
       std::array<std::vector<Index>, 2> of_turn;
       std::vector<Index> stack{seed};
       turn[seed] = 0;
-      bool orientable = true;
+      bool orientable = true, closed = true;
       while (!stack.empty()) {
         const Index face = stack.back();
         stack.pop_back();
         of_turn[static_cast<std::size_t>(turn[face])].push_back(face);
+        closed = closed && !bordered[face];
         for (const auto& [other, agree] : neighbours[face]) {
           const auto wanted = static_cast<signed char>(agree ? turn[face] : 1 - turn[face]);
           if (turn[other] < 0) {
@@ -175,11 +181,11 @@ class Check {
           }
         }
       }
-      name_reversed(of_turn, orientable);
+      name_reversed(of_turn, orientable, closed);
     }
   }
 
-  void name_reversed(std::array<std::vector<Index>, 2>& of_turn, bool orientable) {
+  void name_reversed(std::array<std::vector<Index>, 2>& of_turn, bool orientable, bool closed) {
     if (!orientable) {
       std::vector<Index> all = of_turn[0];
       all.insert(all.end(), of_turn[1].begin(), of_turn[1].end());
@@ -189,7 +195,12 @@ class Check {
       return;
     }
     // The seed is the lowest face and has turn 0.
-    for (const Index face : of_turn[of_turn[0].size() < of_turn[1].size() ? 0 : 1]) {
+    std::array<TurnedAlike, 2> alike{TurnedAlike(mesh_.points[mesh_.faces[of_turn[0][0]][0]]),
+                                     TurnedAlike(mesh_.points[mesh_.faces[of_turn[0][0]][0]])};
+    for (const std::size_t i : {0U, 1U}) {
+      for (const Index face : of_turn[i]) alike[i].add(mesh_.points, mesh_.faces[face]);
+    }
+    for (const Index face : of_turn[alike[0].stays_before(alike[1], closed) ? 1 : 0]) {
       add(PolygonFault::ReversedFace, {face}, {}, fmt::format("face {} is turned against its neighbours", face));
     }
   }

@@ -51,9 +51,9 @@ enum class Closedness : std::uint8_t { Solid, Sheet };
 /// The edges of all faces, sorted by their ends. @pre corners exist  @cost O(n log n)
 std::vector<PolygonEdge> edges_of(const PolygonMesh& mesh);
 
-/// All faults, in the order of PolygonFault, then of indices; empty if the mesh is good. Of two sides of a reversed
-/// part the one with fewer faces is named (with as many: the one without the lowest face). Faces with bad corners are
-/// left out of the later checks.
+/// All faults, in the order of PolygonFault, then of indices; empty if the mesh is good. Of faces that
+/// hang together but are turned against each other those are named that TurnedAlike (face_turns.h) does not let stay.
+/// Faces with bad corners are left out of the later checks.
 /// @cost O(n log n)
 std::vector<PolygonFinding> check(const PolygonMesh& mesh, Closedness closedness);
 /// The same with the file's own edges against the faces.

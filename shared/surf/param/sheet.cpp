@@ -12,6 +12,7 @@
 
 #include "shared/base/disjoint_sets.h"
 #include "shared/geom/predicates.h"
+#include "shared/mesh/face_turns.h"
 #include "shared/mesh/quality.h"
 
 namespace dobra::surf::param {
@@ -135,7 +136,7 @@ std::size_t drop_unused(std::vector<Point3>& points, std::vector<Triangle>& tria
   return dropped;
 }
 
-/// Turns triangles the way of the first. @error CannotMesh: not one piece, or with one side only
+/// Turns the few triangles the way of the many. @error CannotMesh: not one piece, or with one side only
 base::Result<std::size_t> turn_alike(const std::vector<Point3>& points, std::vector<Triangle>& triangles) {
   DOBRA_TRY(const std::vector<HalfEdge> twins, pair_up(points, triangles));
   enum : std::int8_t { Unknown, Keep, Turn };
@@ -166,9 +167,14 @@ base::Result<std::size_t> turn_alike(const std::vector<Point3>& points, std::vec
                                queue.size(), triangles.size()),
                    points[triangles[static_cast<std::size_t>(stray - state.begin())][0]]);
   }
+  std::array<dobra::mesh::TurnedAlike, 2> alike{dobra::mesh::TurnedAlike(points[triangles[0][0]]),
+                                                dobra::mesh::TurnedAlike(points[triangles[0][0]])};
+  for (std::size_t t = 0; t < triangles.size(); ++t) alike[state[t] == Keep ? 0 : 1].add(points, triangles[t]);
+  const bool closed = std::find(twins.begin(), twins.end(), no_half_edge) == twins.end();
+  const std::int8_t wrong = alike[0].stays_before(alike[1], closed) ? Turn : Keep;
   std::size_t turned = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (state[t] != Turn) continue;
+    if (state[t] != wrong) continue;
     std::swap(triangles[t][1], triangles[t][2]);
     ++turned;
   }

@@ -51,7 +51,7 @@ struct Mended {
   std::size_t unused = 0;   ///< Points of no face.
   std::size_t dropped = 0;  ///< Triangles of two corners, and twins of another triangle.
   std::size_t flipped = 0;  ///< Triangles without area that a flip of a side, or their loss on the border, removed.
-  std::size_t turned = 0;   ///< Faces turned the way of the first.
+  std::size_t turned = 0;   ///< Triangles turned the way of most of their piece.
   std::size_t cut = 0;      ///< Faces of more than three corners.
   std::size_t parted = 0;   ///< Copies of points in which parts of a piece met; sheets_of alone makes them.
 };

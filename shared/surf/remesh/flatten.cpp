@@ -62,7 +62,7 @@ void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
   tell(mended.unused, "points of no face, left out: {}");
   tell(mended.dropped, "triangles left out that are doubled or have two corners only: {}");
   tell(mended.flipped, "triangles without area, mended: {}");
-  tell(mended.turned, "triangles turned the way of the first: {}");
+  tell(mended.turned, "triangles turned the way of most others: {}");
   tell(mended.parted, "copies made of points in which parts of the mesh meet: {}");
 }
 

@@ -72,12 +72,13 @@ class NearPoints {
 
 class Builder {
  public:
-  Builder(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease)
+  Builder(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease, Creases creases)
       : atlas_(atlas),
         opened_(atlas.opened),
         sheet_(atlas.opened.sheet),
         sizes_(sizes),
         straightest_(std::cos(corner * std::numbers::pi / 180.0)),
+        creases_(creases),
         out_(sheet_.points.size(), no_half_edge),
         stays_(atlas.before.points.size(), false) {
     for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
@@ -209,11 +210,13 @@ class Builder {
     for (std::size_t v = 0; v < cuts.size(); ++v) {
       if (cuts[v] != 0 && cuts[v] != 4) stays_[v] = true;
     }
-    std::vector<std::uint32_t> folds(sheet_.points.size(), 0);
+    std::vector<std::uint32_t>& folds = folds_at_;
+    folds.assign(sheet_.points.size(), 0);
     for (HalfEdge h = 0; h < folded_.size(); ++h) {
       if (folded_[h]) ++folds[sheet_.start(h)];
     }
     for (std::size_t v = 0; v < folds.size(); ++v) {
+      if (on_border[v] && folds[v] > 0) ++folds[v];  // the border is a line too
       if (folds[v] > 0 && (folds[v] != 2 || on_border[v])) stays_[origin(static_cast<std::uint32_t>(v))] = true;
     }
     // A loop has two at least. They are chosen before any line is made, as another part may have the same loop.
@@ -277,8 +280,13 @@ class Builder {
       stays_[origin(sheet_.start(h))] = true;  // a closed crease
       follow(h);
     }
-    std::erase_if(chains, [&](const Chain& chain) { return loose(chain); });
-    leave_out_narrow(chains);
+    std::erase_if(chains, [&](const Chain& chain) {
+      if (!loose(chain)) return false;
+      ++made_.loose;
+      made_.loose_at = sheet_.points[sheet_.start(chain.front())];
+      return true;
+    });
+    if (creases_ == Creases::Clear) leave_out_narrow(chains);
     return chains;
   }
 
@@ -337,8 +345,10 @@ class Builder {
     const HalfEdge twin = sheet_.twins[h];
     return twin == no_half_edge ? no_half_edge : param::next(twin);
   }
-  /// Shorter than a side of the new mesh.
+  /// Shorter than a side of the new mesh; where all are kept, with an end that no other line meets.
   [[nodiscard]] bool loose(const Chain& chain) const {
+    const bool ends = folds_at_[sheet_.start(chain.front())] == 1 || folds_at_[sheet_.end(chain.back())] == 1;
+    if (creases_ == Creases::All && !ends) return false;
     double length = 0.0;
     for (const HalfEdge h : chain) length += geom::length(along(h));
     return length < sizes_[origin(sheet_.start(chain[0]))];
@@ -428,9 +438,11 @@ class Builder {
   const Sheet& sheet_;
   const std::vector<double>& sizes_;
   const double straightest_;
+  const Creases creases_;
   std::vector<HalfEdge> out_;                                 ///< The half-edge of the border that starts in a point.
   std::vector<bool> stays_;                                   ///< One a point before the cut.
   std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  ///< Ends of the chains so far.
+  std::vector<std::uint32_t> folds_at_;                       ///< One a point: lines at which it folds that meet.
   std::vector<bool> folded_;                                  ///< One a half-edge: a crease.
   std::vector<bool> cut_folded_;                              ///< One a half-edge: a crease that was cut.
   std::map<std::uint32_t, std::uint32_t> point_, node_of_vertex_;
@@ -443,8 +455,9 @@ class Builder {
 
 }  // namespace
 
-Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease) {
-  return Builder(atlas, sizes, corner, crease).run();
+Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease,
+                       Creases creases) {
+  return Builder(atlas, sizes, corner, crease, creases).run();
 }
 
 }  // namespace dobra::surf::remesh

@@ -21,13 +21,22 @@ struct Network {
   std::size_t cut_creases = 0;  ///< Of them, those that a cut runs along: these are kept whatever `crease` is.
   std::size_t narrow = 0;       ///< Creases left out, as they run close beside another line,
   geom::Point3 narrow_at;       ///< and where one of them begins.
+  std::size_t loose = 0;        ///< Creases left out, as they are shorter than a side,
+  geom::Point3 loose_at;        ///< and where one of them begins.
 };
 
-/// Of two creases with less than a quarter of the size between them the shorter one is left out.
+/// Which creases become lines.
+enum class Creases : std::uint8_t {
+  Clear,  ///< None shorter than a side, and none much nearer than a side to another line.
+  All     ///< All but those shorter than a side with an end that nothing meets: triangles may become needles there.
+};
+
+/// Unless all are kept: of two creases with less than a quarter of the size between them the shorter one is left out.
 /// Along each line between vertices that stay, as many sides as the sizes ask for, even by them; more where sides would
 /// cross others in the chart, as those of a line that turns to and fro may. Both sides of a cut get the same nodes.
 /// @param sizes  one a point of the sheet before the cut, m
 /// @param crease  degrees; 180: none are kept
-Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease);
+Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease,
+                       Creases creases = Creases::Clear);
 
 }  // namespace dobra::surf::remesh

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "shared/surf/remesh/estimate.h"
 #include "shared/surf/remesh/one_sheet.h"
 
 namespace dobra::surf::remesh {
@@ -68,6 +69,20 @@ std::vector<Finding> gathered(const std::vector<std::vector<Finding>>& of_pieces
   return all;
 }
 
+/// @error TooManyElements: the size means more triangles than the limit
+Result<void> not_too_many(const std::vector<param::SheetMade>& sheets, const RemeshOptions& options, double size) {
+  Demand demand;
+  for (const param::SheetMade& made : sheets) demand.add(made.sheet, options.crease);
+  const double triangles = demand.triangles(size), most = static_cast<double>(options.most_triangles);
+  if (triangles <= most) return {};
+  constexpr double at_ease = 0.1;  // of the limit
+  return Error{ErrorCode::TooManyElements,
+               fmt::format("size {:.6g} means about {:.2g} triangles, and the limit is {}: give a greater one, such as "
+                           "{:.6g}",
+                           size, triangles, options.most_triangles, demand.size_for(at_ease * most)),
+               place_of(sheets.front().sheet.points[0])};
+}
+
 }  // namespace
 
 Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOptions& options,
@@ -82,13 +97,14 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
     count += static_cast<double>(made.sheet.twins.size());
   }
   const double size = options.size > 0.0 ? options.size : sides / count;
-  if (sheets.size() == 1) return remesh_sheet(sheets.front(), options, size, progress);
+  DOBRA_TRY_VOID(not_too_many(sheets, options, size));
+  if (sheets.size() == 1) return remesh_sheet(sheets.front(), options, size, Advice::Size, progress);
   Remeshed all;
   std::vector<std::vector<Finding>> findings{
       {{"pieces", fmt::format("the mesh has several pieces, each meshed by itself: {}", sheets.size()), {}}}};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const double done = static_cast<double>(i), of = static_cast<double>(sheets.size());
-    auto made = remesh_sheet(sheets[i], options, size, progress.part(done / of, (done + 1.0) / of));
+    auto made = remesh_sheet(sheets[i], options, size, Advice::None, progress.part(done / of, (done + 1.0) / of));
     if (!made && made.error().code != ErrorCode::InvalidOption) return made;
     if (!made) {
       const Finding stays{"piece_kept",
@@ -103,6 +119,8 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
     all.creases += made->creases;
     all.cut_creases += made->cut_creases;
     all.narrow_creases += made->narrow_creases;
+    all.short_creases += made->short_creases;
+    all.folded += made->folded;
     all.area_before += made->area_before;
     all.rounds = std::max(all.rounds, made->rounds);
     findings.push_back(std::move(made->findings));

@@ -47,26 +47,31 @@ struct Worth {
 
 class Polisher {
  public:
-  Polisher(mesh::SurfaceMesh& mesh, const Sheet& before, const TriangleTree& tree, const PolishOptions& options)
+  Polisher(mesh::SurfaceMesh& mesh, const Sheet& before, const TriangleTree& tree, const base::Progress& progress,
+           const PolishOptions& options)
       : mesh_(mesh),
         before_(before),
         tree_(tree),
+        progress_(progress),
         options_(options),
         bent_least_(std::cos(options.sharpest * std::numbers::pi / 180.0)),
         normals_(normals_of(before)),
         around_(mesh.points.size()),
         stays_(mesh.points.size(), false) {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) remember(t);
-    for (const Point3 p : mesh_.points) spots_.push_back(on_old(p));
-    for (std::size_t i = 0; i < spots_.size(); ++i) spots_[i].at = mesh_.points[i];
     fix();
   }
 
-  void run() {
+  base::Result<void> run() {
+    for (const Point3 p : mesh_.points) {
+      DOBRA_TRY_VOID(progress_.check());
+      spots_.push_back({p, on_old(p).normal});
+    }
     for (int pass = 0; pass < options_.passes; ++pass) {
       const std::vector<std::uint32_t> nodes = poor_nodes();
       std::size_t kept = 0;
       for (const std::uint32_t node : nodes) {
+        DOBRA_TRY_VOID(progress_.check());
         kept += flips_round(node);
         if (!stays_[node] && move(node)) ++kept;
       }
@@ -75,6 +80,7 @@ class Polisher {
     for (std::size_t i = 0; i < spots_.size(); ++i) mesh_.points[i] = spots_[i].at;
     std::fill(mesh_.faces.begin(), mesh_.faces.end(), 0U);
     std::fill(mesh_.places.begin(), mesh_.places.end(), std::array<geom::Point, 3>{});
+    return {};
   }
   [[nodiscard]] std::vector<TriangleId> turned() const {
     std::vector<TriangleId> turned;
@@ -138,6 +144,7 @@ class Polisher {
   [[nodiscard]] std::vector<std::uint32_t> poor_nodes() const {
     std::vector<bool> poor(spots_.size(), false);
     for (const Corners& t : mesh_.triangles) {
+      if (progress_.cancelled()) break;
       if (worth_of(t) >= options_.poor) continue;
       for (const NodeId node : t) poor[node.index()] = true;
     }
@@ -256,6 +263,7 @@ class Polisher {
   mesh::SurfaceMesh& mesh_;
   const Sheet& before_;
   const TriangleTree& tree_;
+  const base::Progress& progress_;
   const PolishOptions options_;
   const double bent_least_;
   const std::vector<Vector3> normals_;
@@ -267,10 +275,10 @@ class Polisher {
 
 }  // namespace
 
-std::vector<TriangleId> polish(mesh::SurfaceMesh& mesh, const Sheet& before, const TriangleTree& tree,
-                               const PolishOptions& options) {
-  Polisher polisher(mesh, before, tree, options);
-  polisher.run();
+base::Result<std::vector<TriangleId>> polish(mesh::SurfaceMesh& mesh, const Sheet& before, const TriangleTree& tree,
+                                             const base::Progress& progress, const PolishOptions& options) {
+  Polisher polisher(mesh, before, tree, progress, options);
+  DOBRA_TRY_VOID(polisher.run());
   return polisher.turned();
 }
 

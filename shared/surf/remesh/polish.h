@@ -2,6 +2,8 @@
 // The new mesh, freed of its charts: nodes move on the old mesh to where the triangles round them are better, and sides
 // are flipped, so that no line between charts is seen. Internal to remesh.h. Page: docs/algorithms/remesh.md.
 
+#include "shared/base/progress.h"
+#include "shared/base/result.h"
 #include "shared/surf/mesh/surface_mesh.h"
 #include "shared/surf/param/sheet.h"
 #include "shared/surf/remesh/triangle_tree.h"
@@ -19,8 +21,9 @@ struct PolishOptions {
 /// counts below nought, so folds are undone where they can be. Charts are left behind: all triangles are of one face,
 /// and places are nought.
 /// @param tree  of the points and triangles of `before`
-/// @return the triangles that face against the old mesh  @cost O(n log n)
-std::vector<dobra::mesh::TriangleId> polish(mesh::SurfaceMesh& mesh, const param::Sheet& before,
-                                            const TriangleTree& tree, const PolishOptions& options = {});
+/// @return the triangles that face against the old mesh  @error Cancelled  @cost O(n log n)
+base::Result<std::vector<dobra::mesh::TriangleId>> polish(mesh::SurfaceMesh& mesh, const param::Sheet& before,
+                                                          const TriangleTree& tree, const base::Progress& progress = {},
+                                                          const PolishOptions& options = {});
 
 }  // namespace dobra::surf::remesh

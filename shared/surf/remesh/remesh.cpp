@@ -16,6 +16,7 @@
 #include "shared/surf/mesh/chart_mesher.h"
 #include "shared/surf/param/recovered.h"
 #include "shared/surf/remesh/atlas.h"
+#include "shared/surf/remesh/estimate.h"
 #include "shared/surf/remesh/network.h"
 #include "shared/surf/remesh/one_sheet.h"
 #include "shared/surf/remesh/polish.h"
@@ -54,18 +55,20 @@ Point3 at(const std::vector<Point3>& points, const std::array<std::uint32_t, 3>&
   return points[t[0]] + c[1] * (points[t[1]] - points[t[0]]) + c[2] * (points[t[2]] - points[t[0]]);
 }
 
-/// Calls found(triangle of `of`, nearest in `tree`) for the corners and looks of all triangles.
+/// Calls found(triangle of `of`, nearest in `tree`) for the corners and looks of all triangles. @error Cancelled
 template <class Found>
-void look(const std::vector<Point3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles,
-          const TriangleTree& tree, Found&& found) {
+Result<void> look(const std::vector<Point3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                  const TriangleTree& tree, const base::Progress& progress, Found&& found) {
   std::vector<bool> seen(points.size(), false);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    DOBRA_TRY_VOID(progress.check());
     for (const std::uint32_t v : triangles[t]) {
       if (!seen[v]) found(t, tree.nearest(points[v]));
       seen[v] = true;
     }
     for (const auto& c : looks) found(t, tree.nearest(at(points, triangles[t], c)));
   }
+  return {};
 }
 
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const mesh::SurfaceMesh& mesh) {
@@ -92,14 +95,18 @@ bool lies_in_a_line(std::span<const Point> points) {
 /// One sheet at work.
 class Remesher {
  public:
-  Remesher(Atlas atlas, const RemeshOptions& options, double size)
-      : atlas_(std::move(atlas)),
+  Remesher(const Atlas& atlas, const RemeshOptions& options, double size, Creases creases)
+      : atlas_(atlas),
         options_(options),
         size_(size),
+        creases_(creases),
         sizes_(atlas_.before.points.size(), size),
         tree_(atlas_.before.points, atlas_.before.triangles) {
     for (const Point3 p : atlas_.before.points) box_.add(p);
   }
+
+  /// Some creases were, when it was run.
+  [[nodiscard]] bool left_out() const { return left_out_; }
 
   Result<Remeshed> run(const base::Progress& progress) {
     for (const Part& part : atlas_.parts) {
@@ -119,18 +126,19 @@ class Remesher {
       while (!mesh && mesh.error().code != ErrorCode::Cancelled && mesh.error().code != ErrorCode::InvalidOption &&
              change_guide(at, made, mesh.error()))
         mesh = fill(made, step, at);
+      left_out_ = made.narrow_creases + made.short_creases > 0;
       if (!mesh) return in_space(mesh.error(), at);
       made.mesh = std::move(*mesh);
       made.flipped = 0;
       for (const auto& places : made.mesh.places)
         made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
-      turned = polish(made.mesh, atlas_.before, tree_);
+      DOBRA_TRY(turned, polish(made.mesh, atlas_.before, tree_, step));
       if (const auto sound = mesh::check(made.mesh); !sound)
         return too_large(sound.error().message, in_space_only(sound.error().place));
       if (size_ > box_.diagonal() && mesh::quality_of(made.mesh).boundary_edges == 0)
         return too_large("it is closed, and smaller than one side", place_of(atlas_.before.points[0]));
       made.rounds = round + 1;
-      const bool finer = judge(made, worst);
+      DOBRA_TRY(const bool finer, judge(made, worst, step));
       if (!(options_.chord > 0.0) || made.deviation <= options_.chord) break;
       if (round == options_.rounds || !finer) {
         made.findings.push_back(
@@ -159,6 +167,15 @@ class Remesher {
                                            made.narrow_creases),
                                place_of(made.narrow_at)});
     }
+    constexpr double same = 1e-9;  // of the extent: where nothing is off, short creases are sides
+    if (made.short_creases > 0 && made.deviation > same * box_.diagonal()) {
+      made.findings.push_back({"crease_left_out",
+                               fmt::format("lines at which the mesh folds that are shorter than a side, and are left "
+                                           "out: {}; give a smaller size to keep them",
+                                           made.short_creases),
+                               place_of(made.short_at)});
+    }
+    made.folded = turned.size();
     if (!turned.empty()) {
       made.findings.push_back(
           {"folded", fmt::format("triangles that face against the old mesh: {}; give a smaller size", turned.size()),
@@ -313,11 +330,13 @@ class Remesher {
 
   /// @param at  on an error the part that it is of
   Result<mesh::SurfaceMesh> fill(Remeshed& made, const base::Progress& progress, std::size_t& at) const {
-    Network network = divide_network(atlas_, sizes_, options_.corner, crease_);
+    Network network = divide_network(atlas_, sizes_, options_.corner, crease_, creases_);
     made.creases = network.creases;
     made.cut_creases = network.cut_creases;
     made.narrow_creases = network.narrow;
     made.narrow_at = network.narrow_at;
+    made.short_creases = network.loose;
+    made.short_at = network.loose_at;
     mesh::Division division;
     division.nodes = network.nodes;
     std::vector<mesh::FaceMesh> faces;
@@ -331,14 +350,13 @@ class Remesher {
       surfaces.push_back({guides_[at].pieces});
     }
     part_twice_joined(faces, division, surfaces);
+    DOBRA_TRY_VOID(progress.check());
     return mesh::join(surfaces, division, faces);
   }
 
   [[nodiscard]] Error too_large(const std::string& why, const std::optional<base::Place>& place) const {
     return {ErrorCode::InvalidOption,
-            fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one, such as {:.6g}", size_, why,
-                        std::min(0.5 * size_, mean_side(atlas_.before))),
-            place};
+            fmt::format("size {:.6g} is too large for this mesh ({}): give a smaller one", size_, why), place};
   }
 
   /// Its input goes to the faces of the division.
@@ -395,13 +413,14 @@ class Remesher {
   }
 
   /// Measures the deviation, and makes sizes smaller where it is above the chord.
-  /// @return some became smaller
-  bool judge(Remeshed& made, Point3& worst) {
+  /// @return some became smaller  @error Cancelled; TooManyElements: the chord asks for more than the limit
+  Result<bool> judge(Remeshed& made, Point3& worst, const base::Progress& progress) {
+    DOBRA_TRY_VOID(progress.check());
     const auto triangles = triangles_of(made.mesh);
     const TriangleTree tree(made.mesh.points, triangles);
     made.deviation = 0.0;
     const auto& before = atlas_.before;
-    std::vector<double> next = sizes_;
+    std::vector<double> next = sizes_, enough = sizes_;
     const auto seen = [&](double off, Point3 place, std::uint32_t old_triangle, std::uint32_t new_triangle) {
       if (off > made.deviation) made.deviation = off, worst = place;
       if (!(options_.chord > 0.0) || off <= options_.chord) return;
@@ -410,15 +429,35 @@ class Remesher {
         side = std::max(side, geom::distance(made.mesh.points[triangles[new_triangle][i]],
                                              made.mesh.points[triangles[new_triangle][(i + 1) % 3]]));
       }
-      const double smaller = std::clamp(0.8 * std::sqrt(options_.chord / off), 0.4, 0.8);
-      for (const std::uint32_t v : before.triangles[old_triangle])
+      const double ratio = std::sqrt(options_.chord / off), smaller = std::clamp(0.8 * ratio, 0.4, 0.8);
+      for (const std::uint32_t v : before.triangles[old_triangle]) {
         next[v] = std::min({next[v], smaller * side, smaller * sizes_[v]});
+        enough[v] = std::min(enough[v], ratio * side);
+      }
     };
-    look(made.mesh.points, triangles, tree_,
-         [&](std::uint32_t t, const TriangleTree::Nearest& n) { seen(n.distance, n.at, n.triangle, t); });
-    look(before.points, before.triangles, tree,
-         [&](std::uint32_t t, const TriangleTree::Nearest& n) { seen(n.distance, n.at, t, n.triangle); });
+    DOBRA_TRY_VOID(
+        look(made.mesh.points, triangles, tree_, progress,
+             [&](std::uint32_t t, const TriangleTree::Nearest& n) { seen(n.distance, n.at, n.triangle, t); }));
+    DOBRA_TRY_VOID(
+        look(before.points, before.triangles, tree, progress,
+             [&](std::uint32_t t, const TriangleTree::Nearest& n) { seen(n.distance, n.at, t, n.triangle); }));
+    if (made.rounds == 1) DOBRA_TRY_VOID(not_too_many(enough, worst));
     return take(next);
+  }
+
+  /// How far a side is off a smooth mesh goes with its square, so the first round tells what the chord asks for.
+  /// @error TooManyElements
+  [[nodiscard]] Result<void> not_too_many(const std::vector<double>& enough, Point3 worst) const {
+    const double triangles = expected_triangles(atlas_.before, enough);
+    const auto most = static_cast<double>(options_.most_triangles);
+    if (triangles <= most) return {};
+    constexpr double at_ease = 0.1;  // of the limit
+    return Error{ErrorCode::TooManyElements,
+                 fmt::format("chord {:.6g} asks for about {:.2g} triangles, and the limit is {}: give a greater one, "
+                             "such as {:.6g}",
+                             options_.chord, triangles, options_.most_triangles,
+                             rounded_up(options_.chord * triangles / (at_ease * most))),
+                 place_of(worst)};
   }
 
   /// Sizes that became smaller, and those of their neighbours, so that the mesher sees them. @return there are some
@@ -441,9 +480,11 @@ class Remesher {
     return finer;
   }
 
-  const Atlas atlas_;
+  const Atlas& atlas_;
   const RemeshOptions& options_;
   const double size_;
+  const Creases creases_;
+  bool left_out_ = false;
   geom::Box3 box_;
   std::vector<double> sizes_;  ///< One a point of the sheet before the cut, m.
   const TriangleTree tree_;
@@ -454,8 +495,26 @@ class Remesher {
 
 }  // namespace
 
-Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& options, double size,
-                              const base::Progress& progress) {
+namespace {
+
+bool is_off(const Remeshed& made, const RemeshOptions& options) {
+  return made.folded > 0 || std::abs(made.quality.area - made.area_before) > options.area_off * made.area_before;
+}
+/// To the mesh given.
+bool is_nearer(const Remeshed& a, const Remeshed& b) {
+  const auto off = [](const Remeshed& m) { return std::pair(m.folded, std::abs(m.quality.area - m.area_before)); };
+  return off(a) < off(b);
+}
+
+/// Another chart would not help.
+bool ends_it(const Error& error) {
+  return error.code == ErrorCode::Cancelled || error.code == ErrorCode::TooManyElements;
+}
+
+}  // namespace
+
+Result<Remeshed> remesh_once(param::SheetMade made, const RemeshOptions& options, double size,
+                             const base::Progress& progress) {
   const auto is_small_and_closed = [](const Sheet& sheet) {
     constexpr std::size_t few = 16;  // too few to be cut open, as those of a tetrahedron
     return sheet.loops.empty() && sheet.triangles.size() < few;
@@ -468,7 +527,15 @@ Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& option
                           .crease = options.crease,
                           .most_stretch = options.most_stretch,
                           .least_area = least_part * size * size};
-  const auto run = [&](Atlas atlas) { return Remesher(std::move(atlas), options, size).run(progress); };
+  // Creases that are left out are kept where it does not do without them.
+  const auto run = [&](const Atlas& atlas) {
+    Remesher clear(atlas, options, size, Creases::Clear);
+    auto done = clear.run(progress);
+    if (!clear.left_out() || (done ? !is_off(*done, options) : ends_it(done.error()))) return done;
+    auto all = Remesher(atlas, options, size, Creases::All).run(progress);
+    if (!all && done && ends_it(all.error())) return all;
+    return all && (!done || is_nearer(*all, *done)) ? all : done;
+  };
   // One chart is the best, as far as it keeps its scale.
   const Holes first = has_many_holes(made.sheet) ? Holes::Stay : Holes::Cut;
   const Holes second = first == Holes::Cut ? Holes::Stay : Holes::Cut;
@@ -477,21 +544,22 @@ Result<Remeshed> remesh_sheet(param::SheetMade made, const RemeshOptions& option
     if (holes != first && !keeps_holes(made.sheet)) break;
     auto atlas = single_chart(made, holes, flat, progress);
     if (atlas && atlas->stretch > flat.most_stretch) continue;
-    auto done = atlas ? run(std::move(*atlas)) : Result<Remeshed>(atlas.error());
-    if (done || done.error().code == ErrorCode::Cancelled) return done;
+    auto done = atlas ? run(*atlas) : Result<Remeshed>(atlas.error());
+    if (done || ends_it(done.error())) return done;
     if (!why) why = done.error();
   }
   auto atlas = several_charts(made, flat, progress);
-  auto done = atlas ? run(std::move(*atlas)) : Result<Remeshed>(atlas.error());
-  if (done || done.error().code == ErrorCode::Cancelled || !why) return done;
+  auto done = atlas ? run(*atlas) : Result<Remeshed>(atlas.error());
+  if (done || ends_it(done.error()) || !why) return done;
   return *why;
 }
 
 double deviation(const Sheet& a, const Sheet& b) {
   double most = 0.0;
   const auto take = [&](std::uint32_t, const TriangleTree::Nearest& n) { most = std::max(most, n.distance); };
-  look(a.points, a.triangles, TriangleTree(b.points, b.triangles), take);
-  look(b.points, b.triangles, TriangleTree(a.points, a.triangles), take);
+  // Nobody cancels.
+  (void)look(a.points, a.triangles, TriangleTree(b.points, b.triangles), {}, take);
+  (void)look(b.points, b.triangles, TriangleTree(a.points, a.triangles), {}, take);
   return most;
 }
 

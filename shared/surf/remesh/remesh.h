@@ -24,6 +24,7 @@ struct RemeshOptions {
   std::size_t enough = 20'000;  ///< A mesh of fewer triangles whose sides are longer than `size` is quartered first.
   int rounds = 6;               ///< So often it is meshed anew with smaller sizes where the chord asks for it.
   double area_off = 0.01;       ///< An area that differs by more than this part is told.
+  double most_area_off = 0.1;   ///< An area that differs by more is refused, with a size that works.
   double least = 0.02;          ///< No size below this part of `size`.
   double beyond = 4.0;          ///< Given up at so many times the triangles that sizes and borders mean.
   double most_stretch = 15.0;   ///< A mesh is parted where its one chart would have more `stretch` (atlas.h).
@@ -41,6 +42,9 @@ struct Remeshed {
   std::size_t cut_creases = 0;     ///< Of them, those that the cut runs along.
   std::size_t narrow_creases = 0;  ///< Left out, since they run close beside another line,
   geom::Point3 narrow_at;          ///< and where one of them begins.
+  std::size_t short_creases = 0;   ///< Left out, since they are shorter than a side,
+  geom::Point3 short_at;           ///< and where one of them begins.
+  std::size_t folded = 0;          ///< Triangles that face against the mesh given.
   double area_before = 0.0;        ///< Of the mesh given, m2.
   int rounds = 0;
   /// Those of Charted, and "pieces", "piece_kept", "parted", "folded", "rough", "crease_left_out", "deviation_above",

@@ -47,6 +47,25 @@ TEST(PolygonMesh, PM_a_ReversedFaceIsNamedAlone) {
   }
 }
 
+TEST(PolygonMesh, PM_a_OfAsManyFacesThoseOfLessAreaAreReversedThenThoseThatTurnABodyInsideOut) {
+  PolygonMesh half = cube();  // three faces round a corner, of six alike
+  std::vector<std::uint32_t> turned;
+  for (std::uint32_t f = 0; f < 6; ++f) {
+    if (std::find(half.faces[f].begin(), half.faces[f].end(), half.faces[0][0]) == half.faces[f].end()) continue;
+    std::reverse(half.faces[f].begin(), half.faces[f].end());
+    turned.push_back(f);
+  }
+  const auto volume = check(half, Closedness::Solid);
+  ASSERT_THAT(volume, SizeIs(3));  // the face of number 0 is among them
+  std::vector<std::uint32_t> named;
+  for (const PolygonFinding& finding : volume) named.push_back(finding.faces.at(0));
+  EXPECT_THAT(named, testing::UnorderedElementsAreArray(turned));
+  const PolygonMesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 0}}, {{0, 1, 2}, {1, 2, 3}}};
+  const auto area = check(two, Closedness::Sheet);
+  ASSERT_THAT(area, SizeIs(1));
+  EXPECT_THAT(area[0].faces, ElementsAre(0U));
+}
+
 TEST(PolygonMesh, PM_a_UnusedPointIsNamed) {
   PolygonMesh mesh = cube();
   mesh.points.push_back({2, 2, 2});

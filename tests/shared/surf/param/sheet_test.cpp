@@ -109,6 +109,37 @@ TEST(Sheet, FacesThatAreTurnedDoubledOrWithoutAreaAreMendedAndCounted) {
   EXPECT_NEAR(std::abs(area), 1.0, 1e-12);
 }
 
+/// By the theorem of Gauss, from the origin.
+double volume(const Sheet& sheet) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : sheet.triangles) {
+    const geom::Point3 p = sheet.points[a], q = sheet.points[b], r = sheet.points[c];
+    sum += p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
+  }
+  return sum / 6.0;
+}
+
+TEST(Sheet, FewTrianglesAreTurnedTheWayOfTheManyWhicheverComesFirst) {
+  const PolygonMesh ball = test::sphere_mesh(6);
+  const double full = volume(sheet_of(ball)->sheet);
+  ASSERT_GT(full, 3.5);
+  for (const std::size_t count : {1U, 5U, 100U}) {  // of 288
+    PolygonMesh turned = ball;
+    for (std::size_t f = 0; f < count; ++f) std::swap(turned.faces[f][1], turned.faces[f][2]);
+    const auto made = sheet_of(turned);
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    EXPECT_EQ(made->mended.turned, count);
+    EXPECT_NEAR(volume(made->sheet), full, 1e-12);
+    // The rest turned instead: a cavity stays one.
+    for (auto& face : turned.faces) std::swap(face[1], face[2]);
+    EXPECT_NEAR(volume(sheet_of(turned)->sheet), -full, 1e-12);
+  }
+  // Half of them: it is no cavity.
+  PolygonMesh half = ball;
+  for (std::size_t f = 0; f < half.faces.size() / 2; ++f) std::swap(half.faces[f][1], half.faces[f][2]);
+  EXPECT_NEAR(volume(sheet_of(half)->sheet), full, 1e-12);
+}
+
 TEST(Sheet, PointsAtOnePlaceAreOne) {
   const auto made = sheet_of(test::sphere_mesh(4));
   ASSERT_TRUE(made.ok());
