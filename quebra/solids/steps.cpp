@@ -89,8 +89,10 @@ Result<Matrix> place_of(const std::string& part, Point3 at, const std::optional<
 /// A shape of the library as a part.
 Result<model::Model> with_shape(const model::Model& model, const PlacedPart& params, Result<solid::shape::Shape> shape,
                                 const StepProgress& progress) {
+  DOBRA_TRY(const Matrix matrix, place_of(params.part, params.at, params.axis));
   if (!shape) {
     Error error = shape.error();
+    DOBRA_TRY_VOID(solid::put_error(error, matrix));
     error.message = fmt::format("{}: {}", label(params.part), error.message);
     return error;
   }
@@ -105,7 +107,6 @@ Result<model::Model> with_shape(const model::Model& model, const PlacedPart& par
       text += ';';
     }
   }
-  DOBRA_TRY(const Matrix matrix, place_of(params.part, params.at, params.axis));
   Tree tree = solid::csg::placed(solid::csg::leaf(std::move(text), *std::move(shape)), matrix);
   const std::string& material = params.material.empty() ? params.part : params.material;
   return with_part(model, {params.part, {{material, std::move(tree), {}}}}, Places::Yes, progress);

@@ -1,5 +1,7 @@
 #include "shared/solid/contacts.h"
 
+#include "shared/solid/triangulate.h"
+
 namespace dobra::solid {
 namespace {
 
@@ -197,6 +199,13 @@ Contacts contacts(Soup& soup, const std::vector<BoxTree>& trees) {
   Contacts found;
   Finder finder(soup, found);
   const auto visit = [&](std::uint32_t f, std::uint32_t g) { finder.pair(f, g); };
+  // A facet whose own corner lies within its own edge is cut there, as its neighbours are.
+  for (std::uint32_t f = 0; f < soup.facets.size(); ++f) {
+    const Facet& facet = soup.facets[f];
+    if (soup.inner[facet.operand] != Inner::Searched || !meets_itself(soup, facet)) continue;
+    const PointId corner = soup.corners[facet.first_corner];
+    found.cuts.push_back({f, corner, corner, facet.plane});
+  }
   for (std::size_t i = 0; i < trees.size(); ++i) {
     if (soup.inner[i] == Inner::Searched) trees[i].inner_pairs(visit);
     for (std::size_t j = i + 1; j < trees.size(); ++j) trees[i].pairs(trees[j], visit);

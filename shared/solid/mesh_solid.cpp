@@ -43,9 +43,13 @@ std::optional<std::array<PointId, 3>> spread(const Space& space, const std::vect
   return std::nullopt;
 }
 
+/// What is said of faces that bound no volume.
+enum class Nothing { Empty, Refused };
+
 class Reader {
  public:
-  Reader(const FaceLoops& mesh, const FromMeshOptions& options) : mesh_(mesh), options_(options) {}
+  Reader(const FaceLoops& mesh, const FromMeshOptions& options, Nothing nothing)
+      : mesh_(mesh), options_(options), nothing_(nothing) {}
 
   base::Result<Solid> run() {
     DOBRA_TRY_VOID(check_corners());
@@ -60,6 +64,11 @@ class Reader {
     DOBRA_TRY_VOID(check_windings(found, cells, windings));
     std::vector<char> inside;
     for (const Windings& kind : windings.kinds) inside.push_back(kind.empty() ? 0 : 1);
+    if (nothing_ == Nothing::Refused && std::count(inside.begin(), inside.end(), 1) == 0) {
+      for (const Cell& cell : cells.cells) {
+        if (const auto covers = cells.covers_of(cell); covers.size() > 1) return nothing_error(cells, cell, covers);
+      }
+    }
     return Solid(assemble(soup_, found, cells, round, windings, inside, std::move(names_)));
   }
 
@@ -138,7 +147,7 @@ class Reader {
 
   base::Result<void> add_flat(std::uint32_t f, Loops& loops, std::array<PointId, 3> corners, PlaneId plane) {
     const Projection onto = soup_.space.projection(plane);
-    if (!bound_a_face(soup_.space, onto, loops)) return crossing_error(f, loops[0]);
+    if (!bound_a_face(soup_.space, onto, loops)) return crossing_error(f, loops, onto);
     const bool left = runs_left(soup_.space, onto, loops[0]);
     if (!left) std::swap(corners[1], corners[2]);
     for (std::size_t l = 1; l < loops.size(); ++l) {
@@ -158,23 +167,24 @@ class Reader {
     Projection onto{(axis + 1) % 3, (axis + 2) % 3};
     if (along < 0.0) std::swap(onto.u, onto.v);
     if (!bound_a_face(soup_.space, onto, loops) || !runs_left(soup_.space, onto, loops[0])) {
-      return crossing_error(f, loops[0]);
+      return crossing_error(f, loops, onto);
     }
     for (std::size_t l = 1; l < loops.size(); ++l) {
       if (runs_left(soup_.space, onto, loops[l])) std::reverse(loops[l].begin(), loops[l].end());
     }
     const auto triangles = triangulate(soup_.space, onto, loops);
-    if (!triangles) return crossing_error(f, loops[0]);
+    if (!triangles) return crossing_error(f, loops, onto);
     for (const auto& t : *triangles) {
       if (!soup_.space.collinear(t[0], t[1], t[2])) add_facet(f, {{t[0], t[1], t[2]}}, t);
     }
     return {};
   }
 
-  [[nodiscard]] Error crossing_error(std::uint32_t f, const std::vector<PointId>& loop) const {
+  [[nodiscard]] Error crossing_error(std::uint32_t f, const Loops& loops, Projection onto) const {
+    const auto met = where_edges_meet(soup_.space, onto, loops);
     return {ErrorCode::SelfIntersection,
             fmt::format("face {} crosses or touches itself: cut it into simple polygons", f),
-            place_at(soup_.space.rounded(loop[0]))};
+            place_at(met ? *met : soup_.space.rounded(loops.back()[0]))};
   }
 
   [[nodiscard]] std::uint32_t face_of(const Cells& cells, CellId cell) const {
@@ -186,6 +196,14 @@ class Reader {
             fmt::format("faces {} and {} cover each other: take one of them out", face_[covers[0].facet],
                         face_[covers[1].facet]),
             place_at(at)};
+  }
+
+  [[nodiscard]] Error nothing_error(const Cells& cells, const Cell& cell, std::span<const Cover> covers) const {
+    return {ErrorCode::NotClosed,
+            fmt::format("the faces bound nothing: faces {} and {} cover each other, one turned against the other; give "
+                        "faces that surround a volume",
+                        face_[covers[0].facet], face_[covers[1].facet]),
+            place_at(soup_.space.rounded(cells.halves[cell.first_half].origin))};
   }
 
   [[nodiscard]] Error open_error(const Cells& cells, const Fans& round, std::uint32_t half) const {
@@ -247,6 +265,7 @@ class Reader {
 
   const FaceLoops& mesh_;
   const FromMeshOptions& options_;
+  Nothing nothing_;
   Soup soup_;
   std::vector<std::uint32_t> face_;  // of each facet, the face of the mesh
   std::vector<std::string> names_;
@@ -277,14 +296,14 @@ std::optional<Error> turn_error(const mesh::PolygonMesh& mesh) {
 }  // namespace
 
 base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options) {
-  return Reader(mesh, options).run();
+  return Reader(mesh, options, Nothing::Empty).run();
 }
 
 base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
   FaceLoops loops{mesh.points, {}};
   loops.faces.reserve(mesh.faces.size());
   for (const auto& face : mesh.faces) loops.faces.push_back({face});
-  auto solid = from_loops(loops, options);
+  auto solid = Reader(loops, options, Nothing::Refused).run();
   if (solid || solid.error().code != ErrorCode::NotClosed) return solid;
   if (auto better = turn_error(mesh)) return *std::move(better);
   return solid;

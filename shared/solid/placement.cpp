@@ -117,4 +117,14 @@ Result<std::size_t> place(std::vector<geom::Point3>& points, const Matrix& matri
   return count;
 }
 
+Result<void> put_error(Error& error, const Matrix& matrix) {
+  if (!error.place || !error.place->x || !error.place->y || !error.place->z) return {};
+  std::vector<geom::Point3> at{{*error.place->x, *error.place->y, *error.place->z}};
+  DOBRA_TRY_VOID(place(at, matrix));
+  error.place->x = at[0].x;
+  error.place->y = at[0].y;
+  error.place->z = at[0].z;
+  return {};
+}
+
 }  // namespace dobra::solid

@@ -37,4 +37,7 @@ bool mirrors(const Matrix& matrix);
 /// @error NotFinite if a coordinate grows too large.  @cost O(n)
 base::Result<std::size_t> place(std::vector<geom::Point3>& points, const Matrix& matrix);
 
+/// The place of an error moved with what it speaks of.  @error as place()
+base::Result<void> put_error(base::Error& error, const Matrix& matrix);
+
 }  // namespace dobra::solid

@@ -178,8 +178,11 @@ class Clipper {
 
 namespace {
 
-/// No two edges of all loops meet except in their ends.
-bool edges_apart(const Space& space, Projection onto, const std::vector<std::pair<PointId, PointId>>& edges) {
+using Edge = std::pair<PointId, PointId>;
+
+/// Two edges of the loops that meet, and not in their ends.
+std::optional<std::array<Edge, 2>> edges_that_meet(const Space& space, Projection onto,
+                                                   const std::vector<Edge>& edges) {
   struct Side {
     double low, high;
     std::size_t at;
@@ -197,21 +200,23 @@ bool edges_apart(const Space& space, Projection onto, const std::vector<std::pai
     std::erase_if(open, [&](const Side& other) { return other.high < side.low; });
     const auto& [a, b] = edges[side.at];
     for (const Side& other : open) {
-      if (meet(space, onto, a, b, edges[other.at].first, edges[other.at].second)) return false;
+      if (meet(space, onto, a, b, edges[other.at].first, edges[other.at].second))
+        return std::array{edges[side.at], edges[other.at]};
     }
     open.push_back(side);
   }
-  return true;
+  return std::nullopt;
 }
 
-void add_edges(std::span<const PointId> loop, std::vector<std::pair<PointId, PointId>>& edges) {
+void add_edges(std::span<const PointId> loop, std::vector<Edge>& edges) {
   for (std::size_t i = 0; i < loop.size(); ++i) edges.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
 }
 
-bool repeats_a_corner(std::span<const PointId> loop) {
+std::optional<PointId> repeated_corner(std::span<const PointId> loop) {
   std::vector<PointId> sorted(loop.begin(), loop.end());
   std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  const auto found = std::adjacent_find(sorted.begin(), sorted.end());
+  return found == sorted.end() ? std::nullopt : std::optional(*found);
 }
 
 /// Some corner of the inner loop is within the outer one; loops that share all corners are not.
@@ -234,18 +239,18 @@ bool lies_within(const Space& space, Projection onto, std::span<const PointId> i
 }  // namespace
 
 bool is_simple(const Space& space, Projection onto, std::span<const PointId> loop) {
-  std::vector<std::pair<PointId, PointId>> edges;
+  std::vector<Edge> edges;
   add_edges(loop, edges);
-  return !repeats_a_corner(loop) && edges_apart(space, onto, edges);
+  return !repeated_corner(loop) && !edges_that_meet(space, onto, edges);
 }
 
 bool bound_a_face(const Space& space, Projection onto, std::span<const std::vector<PointId>> loops) {
-  std::vector<std::pair<PointId, PointId>> edges;
+  std::vector<Edge> edges;
   for (const auto& loop : loops) {
-    if (repeats_a_corner(loop)) return false;
+    if (repeated_corner(loop)) return false;
     add_edges(loop, edges);
   }
-  if (!edges_apart(space, onto, edges)) return false;
+  if (edges_that_meet(space, onto, edges)) return false;
   for (std::size_t i = 1; i < loops.size(); ++i) {
     if (!lies_within(space, onto, loops[i], loops[0])) return false;
     for (std::size_t j = 1; j < loops.size(); ++j) {
@@ -253,6 +258,44 @@ bool bound_a_face(const Space& space, Projection onto, std::span<const std::vect
     }
   }
   return true;
+}
+
+bool meets_itself(const Soup& soup, const Facet& facet) {
+  if (facet.corner_end - facet.first_corner <= 3) return false;
+  std::vector<Edge> edges;
+  soup.visit_edges(facet,
+                   [&](std::uint32_t i, std::uint32_t j) { edges.emplace_back(soup.corners[i], soup.corners[j]); });
+  return edges_that_meet(soup.space, soup.space.projection(facet.plane), edges).has_value();
+}
+
+std::optional<geom::Point3> where_edges_meet(const Space& space, Projection onto,
+                                             std::span<const std::vector<PointId>> loops) {
+  std::vector<Edge> edges;
+  for (const auto& loop : loops) {
+    if (const auto corner = repeated_corner(loop)) return space.rounded(*corner);
+    add_edges(loop, edges);
+  }
+  const auto found = edges_that_meet(space, onto, edges);
+  if (!found) return std::nullopt;
+  const auto [first, second] = *found;
+  const auto& [a, b] = first;
+  const auto& [c, d] = second;
+  for (const PointId p : {c, d}) {
+    if (space.orient(onto, a, b, p) == Sign::Zero && between(space, onto, a, b, p)) return space.rounded(p);
+  }
+  for (const PointId p : {a, b}) {
+    if (space.orient(onto, c, d, p) == Sign::Zero && between(space, onto, c, d, p)) return space.rounded(p);
+  }
+  // They cross: the share of a-b before c-d.
+  const auto beside = [&](PointId p) {
+    const auto at = [&](PointId q, int axis) { return space.coordinate(q, axis); };
+    return (at(d, onto.u) - at(c, onto.u)) * (at(p, onto.v) - at(c, onto.v)) -
+           (at(d, onto.v) - at(c, onto.v)) * (at(p, onto.u) - at(c, onto.u));
+  };
+  const double from = std::abs(beside(a));
+  const double to = std::abs(beside(b));
+  const double share = from + to > 0.0 ? from / (from + to) : 0.5;
+  return space.rounded(a) + share * (space.rounded(b) - space.rounded(a));
 }
 
 bool runs_left(const Space& space, Projection onto, std::span<const PointId> loop) {

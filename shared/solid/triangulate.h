@@ -20,6 +20,13 @@ bool runs_left(const Space& space, Projection onto, std::span<const PointId> loo
 /// corners.  @cost O(n log n + pairs near each other + n loops)
 bool bound_a_face(const Space& space, Projection onto, std::span<const std::vector<PointId>> loops);
 
+/// Whether two edges of the facet meet, and not in their ends: a corner lies within an edge, or edges cover each other.
+bool meets_itself(const Soup& soup, const Facet& facet);
+
+/// Rounded, a place where edges meet so that the loops bound no face; none if no edges do.
+std::optional<geom::Point3> where_edges_meet(const Space& space, Projection onto,
+                                             std::span<const std::vector<PointId>> loops);
+
 /// @param loops  first the outer one, anticlockwise in the projection, then holes, clockwise; they may touch in
 /// corners.
 /// @return       triangles of corners, all corners used; none if the loops are not such a polygon.

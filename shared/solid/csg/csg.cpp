@@ -65,6 +65,11 @@ Result<Evaluated> place_shape(shape::Shape made, const Matrix& matrix) {
     }
   }
   DOBRA_TRY(out.solid, shape::solid_of(made));
+  if (out.solid.empty() && out.rounded > 0) {
+    return base::Error{base::ErrorCode::InvalidOption,
+                       "nothing is left where it is placed, as coordinates are rounded there: place it nearer to the "
+                       "origin, or make it larger"};
+  }
   return out;
 }
 

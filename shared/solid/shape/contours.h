@@ -22,12 +22,25 @@ struct Contour {
   std::vector<std::string> names;
 };
 
-/// @error DegenerateCurve, NotFinite
-base::Result<void> check_contour(const geom::Polyline& line, const char* what);
+/// Where sides of one contour may meet but for neighbours in their corner.
+enum class Touching { No, InPoints };
+
+/// Errors have their place in the plane of the contour: x and y.  @error DegenerateCurve, NotFinite, SelfIntersection
+/// @cost O(n log n + pairs near each other)
+base::Result<void> check_contour(const geom::Polyline& line, const char* what, Touching touching = Touching::No);
 /// @pre it passed check_contour()
 Contour turned_contour(const geom::Polyline& line, bool hole, SideNames names, const std::string& stem);
-/// The outline, then the holes.  @error those of check_contour()
+/// The outline, then the holes.  @error those of check_contour(); SelfIntersection: holes that meet each other or the
+/// outline but in corners, or lie outside of it or within each other.
 base::Result<std::vector<Contour>> contours_of(const Profile& profile, SideNames names);
+
+/// The error with its place in the plane of a contour put where that is in space.
+template <class Place>
+base::Error put_in_space(base::Error error, Place&& place) {
+  if (error.place && error.place->x && error.place->y)
+    error.place = at_point(place(geom::Point{*error.place->x, *error.place->y}));
+  return error;
+}
 
 /// Collects the points and faces of a shape; `mirrored` turns all faces over.
 class Maker {
@@ -62,6 +75,9 @@ Rings rings_at(Maker& maker, const std::vector<Contour>& contours, Place&& place
   }
   return rings;
 }
+
+/// @error InvalidOption: corners of a contour fall together where its ring stands, as coordinates are rounded there.
+base::Result<void> check_apart(const Maker& maker, const Rings& rings);
 
 inline Rings reversed(Rings rings) {
   for (Ring& ring : rings) std::reverse(ring.begin(), ring.end());

@@ -317,15 +317,22 @@ Result<Shape> loft(std::span<const PlacedProfile> profiles, SideNames names) {
   std::vector<std::vector<Contour>> contours;
   for (std::size_t k = 0; k < profiles.size(); ++k) {
     DOBRA_TRY_VOID(check_matrix(profiles[k].place));
-    DOBRA_TRY(auto own, contours_of(profiles[k].profile, names));
+    auto given = contours_of(profiles[k].profile, names);
+    if (!given) {
+      Error error = put_in_space(given.error(), flat);
+      DOBRA_TRY_VOID(put_error(error, profiles[k].place));
+      error.message = fmt::format("profile {}: {}", k + 1, error.message);
+      return error;
+    }
+    std::vector<Contour>& own = *given;
     if (k > 0 && own.size() != contours[0].size()) {
       return Error{ErrorCode::InvalidOption,
                    fmt::format("profile {} has {} holes and profile 1 has {}: profiles that are joined have as many",
                                k + 1, own.size() - 1, contours[0].size() - 1)};
     }
     for (std::size_t c = 0; c < own.size(); ++c) {
-      const geom::Polyline& given = c == 0 ? profiles[k].profile.outline : profiles[k].profile.holes[c - 1];
-      begin_at(own[c], given.points[0]);
+      const geom::Polyline& drawn = c == 0 ? profiles[k].profile.outline : profiles[k].profile.holes[c - 1];
+      begin_at(own[c], drawn.points[0]);
     }
     contours.push_back(std::move(own));
   }

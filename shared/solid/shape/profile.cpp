@@ -69,13 +69,15 @@ Result<Shape> extrude(const Profile& profile, Vector3 along, SideNames names) {
                  "the vector of an extrusion lies in the plane of its profile, so that nothing would have volume; give "
                  "it a third number"};
   }
-  DOBRA_TRY(const auto contours, contours_of(profile, names));
+  const auto contours = contours_of(profile, names);
+  if (!contours) return put_in_space(contours.error(), flat);
   Maker maker(along.z < 0.0);
-  const Rings low = rings_at(maker, contours, flat);
-  const Rings high = rings_at(maker, contours, [&](Point p) { return flat(p) + along; });
+  const Rings low = rings_at(maker, *contours, flat);
+  const Rings high = rings_at(maker, *contours, [&](Point p) { return flat(p) + along; });
+  DOBRA_TRY_VOID(check_apart(maker, high));
   maker.face(reversed(low), along.z < 0.0 ? "top" : "bottom");
   maker.face(high, along.z < 0.0 ? "bottom" : "top");
-  add_sides(maker, contours, low, high);
+  add_sides(maker, *contours, low, high);
   return maker.take();
 }
 
@@ -85,13 +87,14 @@ Result<Shape> draw_to_point(const Profile& profile, Point3 apex, SideNames names
   if (!std::isfinite(apex.x) || !std::isfinite(apex.y) || !std::isfinite(apex.z))
     return Error{ErrorCode::NotFinite, "the point of a pyramid has no finite numbers"};
   if (apex.z == 0.0) return Error{ErrorCode::InvalidOption, "the point of a pyramid lies in the plane of its profile"};
-  DOBRA_TRY(const auto contours, contours_of(profile, names));
+  const auto contours = contours_of(profile, names);
+  if (!contours) return put_in_space(contours.error(), flat);
   Maker maker(apex.z < 0.0);
-  const Rings base = rings_at(maker, contours, flat);
+  const Rings base = rings_at(maker, *contours, flat);
   const std::uint32_t top = maker.point(apex);
   maker.face(reversed(base), apex.z < 0.0 ? "top" : "bottom");
   for (std::size_t i = 0; i < base[0].size(); ++i)
-    maker.face({{base[0][i], base[0][(i + 1) % base[0].size()], top}}, contours[0].names[i]);
+    maker.face({{base[0][i], base[0][(i + 1) % base[0].size()], top}}, (*contours)[0].names[i]);
   return maker.take();
 }
 
@@ -101,21 +104,23 @@ Result<Shape> sweep(const Profile& profile, const std::vector<Point3>& path, Sid
     if (!std::isfinite(path[i].x) || !std::isfinite(path[i].y) || !std::isfinite(path[i].z))
       return Error{ErrorCode::NotFinite, fmt::format("point {} of the path has no finite numbers", i + 1)};
   }
+  if (auto fold = fold_of(path)) return *std::move(fold);
   if (path.front() == path.back()) {
     return Error{ErrorCode::InvalidOption, "the path comes back to its first point; sweep it in two parts",
                  at_point(path.back())};
   }
-  if (auto fold = fold_of(path)) return *std::move(fold);
-  DOBRA_TRY(const auto contours, contours_of(profile, names));
-  // Of each contour's points, where its line stands now.
-  std::vector<std::vector<Point3>> now;
   Vector3 leg = normalised(path[1] - path[0]);
   const Vector3 level = cross({0, 0, 1}, leg);
   const Vector3 x = length(level) <= 1e-12 ? Vector3{leg.z < 0.0 ? -1.0 : 1.0, 0, 0} : normalised(level);
   const Vector3 y = cross(leg, x);
-  for (const Contour& contour : contours) {
+  const auto at_start = [&](Point p) { return path[0] + p.x * x + p.y * y; };
+  const auto contours = contours_of(profile, names);
+  if (!contours) return put_in_space(contours.error(), at_start);
+  // Of each contour's points, where its line stands now.
+  std::vector<std::vector<Point3>> now;
+  for (const Contour& contour : *contours) {
     auto& places = now.emplace_back();
-    for (const Point p : contour.points) places.push_back(path[0] + p.x * x + p.y * y);
+    for (const Point p : contour.points) places.push_back(at_start(p));
   }
   Maker maker;
   const auto ring_points = [&] {
@@ -145,7 +150,8 @@ Result<Shape> sweep(const Profile& profile, const std::vector<Point3>& path, Sid
       }
     }
     const Rings after = ring_points();
-    add_sides(maker, contours, before, after);
+    DOBRA_TRY_VOID(check_apart(maker, after));
+    add_sides(maker, *contours, before, after);
     before = after;
     leg = next;
   }
@@ -162,12 +168,15 @@ Result<Shape> revolve(const geom::Polyline& line, const RevolveOptions& options,
                  fmt::format("{} segments are too few for a revolution by {} degrees: each must turn by less than 180",
                              options.segments, options.angle)};
   }
-  DOBRA_TRY_VOID(check_contour(line, "contour of a revolution"));
+  const auto in_space = [](Point p) { return Point3{p.x, 0.0, p.y}; };
+  if (const auto checked = check_contour(line, "contour of a revolution", Touching::InPoints); !checked)
+    return put_in_space(checked.error(), in_space);
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     if (line.points[i].x < 0.0) {
       return Error{
           ErrorCode::InvalidOption,
-          fmt::format("the contour of a revolution crosses its axis: point {} has radius {}", i + 1, line.points[i].x)};
+          fmt::format("the contour of a revolution crosses its axis: point {} has radius {}", i + 1, line.points[i].x),
+          at_point(in_space(line.points[i]))};
     }
   }
   const Contour contour = turned_contour(line, false, names, "side");

@@ -241,6 +241,18 @@ TEST(SolidRandom, PairsOfTerrainBlocksMeetAlongTheirTopsOrCrossThem) {
   }
 }
 
+// The ridge touches the top of the block from below. Its middle is a corner of one slope and none of the other, which
+// is plane, so that the top has a corner within an edge of its own.
+TEST(SolidRandom, ARidgeThatTouchesAFaceFromWithinIsTakenAwayAndPutBack) {
+  const PolygonMesh block = box({0, 0, 0}, {4, 4, 3});
+  const double heights[3][3] = {{2, 1.5, 2}, {3, 3, 3}, {2, 2, 2}};
+  const PolygonMesh ridge = terrain(2, 2, 1.0, [&](std::uint32_t i, std::uint32_t j) {
+    return Point3{1.0 + i, 1.0 + j, heights[j][i]};
+  });
+  Random random(1);
+  check_pair(block, ridge, 20, random);
+}
+
 TEST(SolidRandom, TetrahedraThatShareAFaceBecomeOneWithoutIt) {
   Random random(5);
   std::uniform_real_distribution<double> real(0.0, 1.0);
