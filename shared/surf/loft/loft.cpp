@@ -99,7 +99,7 @@ std::vector<std::vector<Point3>> gone_on(const CommonBreaks& common) {
   std::vector<std::vector<Point3>> whole = common.points;
   const std::size_t count = whole.size();
   for (std::size_t j = 0; j < count; ++j) {
-    const auto [first, last] = common.reach[j];
+    const std::size_t first = common.reach[j][0], last = common.reach[j][1];
     const auto own = [&](std::size_t i) { return std::clamp(i, first, last); };
     for (std::size_t i = 0; i < common.u.size(); ++i) {
       const std::size_t end = own(i);
@@ -109,7 +109,7 @@ std::vector<std::vector<Point3>> gone_on(const CommonBreaks& common) {
       const Point3 at = common.points[j][end], before = common.points[j][inside];
       double rise = 0.0, weights = 0.0;
       const auto like = [&](std::size_t k) {
-        const auto [low, high] = common.reach[k];
+        const std::size_t low = common.reach[k][0], high = common.reach[k][1];
         if (i < low || i > high) return false;
         const double weight = 1.0 / std::abs(static_cast<double>(k) - static_cast<double>(j));
         const std::size_t beside = std::clamp(end, low, high);
