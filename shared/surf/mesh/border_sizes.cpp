@@ -257,21 +257,21 @@ class Samples {
       }
     }
     const Grid grid(*this, side);
+    constexpr double round_a_corner = 20.0;  // the way round one of 6 degrees, in straight distances
     std::vector<double> along(count(), std::numeric_limits<double>::infinity());
     std::vector<double> wanted = free;
     for (std::size_t i = 0; i < count(); ++i) {
       const double radius = elements * free[i];
-      const std::vector<std::size_t> near = mark_neighbours(i, 2.0 * std::max(radius, free[i]), along);
+      const std::vector<std::size_t> near = mark_neighbours(i, 2.0 * free[i], along);
       double distance = radius;
       grid.for_near(samples_[i].at, [&](std::size_t j) {  // the chord from j to j + 1
-        if (along[j] < std::numeric_limits<double>::infinity() ||
-            along[j + 1] < std::numeric_limits<double>::infinity() ||
-            pieces_[samples_[j].piece].first == pieces_[samples_[i].piece].first)
-          return;
-        distance = std::min(distance, from_chord(samples_[i].at, samples_[j].at, samples_[j + 1].at));
+        if (pieces_[samples_[j].piece].first == pieces_[samples_[i].piece].first) return;
+        const double away = from_chord(samples_[i].at, samples_[j].at, samples_[j + 1].at);
+        if (std::min(along[j], along[j + 1]) <= round_a_corner * away) return;
+        distance = std::min(distance, away);
       });
       for (const std::size_t j : near) along[j] = std::numeric_limits<double>::infinity();
-      constexpr double finest = 0.01;  // of the size elsewhere: where borders touch or cross the distance is nought
+      constexpr double finest = 0.002;  // of the size elsewhere: where borders touch or cross the distance is nought
       wanted[i] = std::max({std::min(free[i], distance / elements), finest * free[i], least});
     }
     for (std::size_t i = 0; i < count(); ++i) size(i) = wanted[i];

@@ -215,6 +215,29 @@ TEST(Division, SidesOfANarrowPlaceAreAsShortAsItIsWide) {
   EXPECT_LE(near(divided({&face, 1}, options).faces[0]), 0.25 + 1e-9);
 }
 
+/// Its ends are near along the border, for sizes longer than it is too; a corner is no narrow place.
+TEST(Division, AStripHasAsManyElementsAcrossAsAsked) {
+  const TrimmedSurface strip{.surface = flat(10, 0.1), .loops = {polygon({{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}})}};
+  for (const double size : {0.5, 2.0, 40.0}) {
+    for (const double elements : {1.0, 2.0, 3.0, 5.0}) {
+      DivisionOptions options = with(size, 15);
+      options.sizes.narrow = elements;
+      double longest = 0.0;
+      const ChartInput input = divided({&strip, 1}, options).faces[0];
+      for (const auto& edge : input.chart.edges) {
+        const Point a = input.chart.points[edge.nodes[0].index()], b = input.chart.points[edge.nodes[1].index()];
+        if (std::min(a.x, b.x) > 3.0 && std::max(a.x, b.x) < 7.0) longest = std::max(longest, geom::distance(a, b));
+      }
+      const double least = std::max(0.1 / elements, 0.002 * size);
+      EXPECT_LE(longest, least * (1.0 + 1e-9)) << size << ' ' << elements;
+      EXPECT_GE(longest, 0.8 * least) << size << ' ' << elements;
+    }
+  }
+  const TrimmedSurface wedge{.surface = flat(10, 2), .loops = {polygon({{0, 0}, {10, 0}, {10, 2}})}};
+  DivisionOptions options = with(1.0, 15);
+  EXPECT_LT(divided({&wedge, 1}, options).faces[0].chart.edges.size(), 40u);
+}
+
 // ---- common nodes
 
 TEST(Division, FacesThatShareACurveHaveItsNodesWhateverTheirParameters) {
