@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <queue>
 
@@ -79,10 +80,17 @@ void polish(const Surface& surface, Point3 point, const Box& box, Foot& foot) {
   }
 }
 
+/// Parts of the size, but no less than what places as far from the origin as the point can tell apart.
+double told_apart(const Surface& surface, Point3 point, double part) {
+  constexpr double doubles = 8.0 * std::numeric_limits<double>::epsilon();
+  return std::max(part * surface.size(), doubles * std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+}
+
 /// Downhill within a box in which the surface is smooth.
 Walk walk(const Surface& surface, Point3 point, Point from, const Box& box) {
   Walk walk{foot_at(surface, point, clamped(from, box)), false, {}};
-  const double enough = 1e-15 * surface.size();
+  const double enough = told_apart(surface, point, 1e-15);
+  const double nearer = told_apart(surface, point, 1e-12);
   for (int round = 0; round < 200; ++round) {
     Point& uv = walk.foot.uv;
     walk.seen.add(uv);
@@ -119,7 +127,7 @@ Walk walk(const Surface& surface, Point3 point, Point from, const Box& box) {
         const Point off{std::clamp(by / eu * std::cos(angle), -0.1 * box.width(), 0.1 * box.width()),
                         std::clamp(by / ev * std::sin(angle), -0.1 * box.height(), 0.1 * box.height())};
         const Foot there = foot_at(surface, point, clamped({uv.x + off.x, uv.y + off.y}, box));
-        if (there.distance < walk.foot.distance - 1e-12 * surface.size()) walk.foot = there, left = true;
+        if (there.distance < walk.foot.distance - nearer) walk.foot = there, left = true;
       }
       if (left) break;
     }
@@ -170,14 +178,14 @@ void search(Cells& cells, Point3 point, const Box& part, double tolerance, Foot&
 Foot closest_of_all(const Surface& surface, Point3 point) {
   Cells cells(surface);
   Foot best = foot_at(surface, point, surface.chart().low);
-  search(cells, point, surface.chart(), 1e-9 * surface.size(), best);
+  search(cells, point, surface.chart(), told_apart(surface, point, 1e-9), best);
   return best;
 }
 
 Foot closest(const Surface& surface, Point3 point, Point near) {
   const Box& chart = surface.chart();
   const std::vector<Box> parts = smooth_parts(surface);
-  const double gain = 1e-13 * surface.size();
+  const double gain = told_apart(surface, point, 1e-13);
   Foot best = foot_at(surface, point, clamped(near, chart));
   const auto goes_on_from = [&](Point from) {
     bool better = false;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "shared/io/faces/face.h"
+#include "shared/io/faces/unlike_edges.h"
 
 namespace dobra::io::faces {
 
@@ -13,6 +14,7 @@ base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOpti
   DOBRA_TRY(const std::vector<brep::TrimmedFace> faces, brep::faces_of(model));
   Imported made;
   SharedEdges shared;
+  std::vector<base::Place> places;  // of made.faces
   std::map<brep::Index, std::vector<const brep::TrimmedFace*>> known;
   for (const brep::TrimmedFace& face : faces) {
     Report report(made.findings, face.place);
@@ -31,8 +33,10 @@ base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOpti
       report.say(refusal->code, refusal->message, refusal->uv, refusal->at);
     } else {
       made.faces.push_back(std::get<surf::trim::TrimmedSurface>(std::move(outcome)));
+      places.push_back(face.place);
     }
   }
+  part_unlike_edges(made.faces, places, made.findings);
   return made;
 }
 

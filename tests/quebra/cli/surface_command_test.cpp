@@ -129,6 +129,20 @@ TEST_F(SurfaceCommand, SizesTooSmallForMemoryAreRefused) {
   EXPECT_THAT(outcome.out, HasSubstr("findings"));
 }
 
+/// Doubles there are 2e-9 and 1e-8 m apart: what is nearer is no progress of a search.
+TEST_F(SurfaceCommand, ASphereFarFromTheOriginIsMeshedAsOneAtIt) {
+  const auto elements = [&](const std::string& at) {
+    const std::string file = put("ball.toml", head + "[[input.surface]]\nname = \"s\"\nkind = \"sphere\"\norigin = [" +
+                                                  at + ", 0, 0]\nradius = 1\nu = [0, 360]\nv = [-90, 90]\n");
+    const json json = told({"mesh", file, "--size", "0.5", "--json"});
+    EXPECT_NEAR(json["area_surface"].get<double>(), 4.0 * pi, 1e-6) << at;
+    EXPECT_GT(json["alpha_min"].get<double>(), 0.8) << at;
+    return json["elements"].get<double>();
+  };
+  const double near = elements("0");
+  for (const char* at : {"1e7", "1e8"}) EXPECT_NEAR(elements(at), near, 0.05 * near) << at;
+}
+
 TEST_F(SurfaceCommand, CoordinatesAreThoseOfTheUnits) {
   const json json = told(
       {"mesh",
