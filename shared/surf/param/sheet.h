@@ -61,8 +61,9 @@ struct SheetMade {
   Mended mended;
 };
 
-/// @error NotFinite; BadMesh with the place {x, y, z}: no triangle, a side of three triangles, no way to turn the
-///        triangles alike, several pieces, a point in which parts meet, a triangle without area that cannot be mended.
+/// @error NotFinite; BadMesh with the place {x, y, z}: no triangle, a face whose sides cross, a side of three
+///        triangles, no way to turn the triangles alike, several pieces, a point in which parts meet, a triangle
+///        without area that cannot be mended.
 /// @cost  O(n log n)
 base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options = {});
 
