@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "shared/base/disjoint_sets.h"
@@ -462,8 +461,9 @@ base::Result<SheetMade> sheet_of_soup(Soup soup, const SheetOptions& options) {
 }
 
 /// A piece for itself; a point has one copy for each fan of its triangles.
+/// @param fans  one a point: how many so far
 Soup piece_of(const Soup& soup, const std::vector<std::uint32_t>& triangles, const std::vector<HalfEdge>& twins,
-              std::vector<std::uint32_t>& number) {
+              std::vector<std::uint32_t>& number, std::vector<std::uint32_t>& fans) {
   Soup piece;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) number[triangles[i]] = i;
   base::DisjointSets same(3 * triangles.size());
@@ -480,14 +480,13 @@ Soup piece_of(const Soup& soup, const std::vector<std::uint32_t>& triangles, con
   }
   std::vector<std::uint32_t> point(same.size(), no_half_edge);
   piece.triangles.resize(triangles.size());
-  std::set<std::uint32_t> seen;
   for (HalfEdge h = 0; h < same.size(); ++h) {
     const std::uint32_t v = soup.triangles[triangles[h / 3]][h % 3];
     std::uint32_t& mine = point[same.root(h)];
     if (mine == no_half_edge) {
       mine = static_cast<std::uint32_t>(piece.points.size());
       piece.points.push_back(soup.points[v]);
-      piece.mended.parted += seen.insert(v).second ? 0 : 1;
+      ++fans[v];
     }
     piece.triangles[h / 3][h % 3] = mine;
   }
@@ -516,14 +515,19 @@ base::Result<std::vector<SheetMade>> sheets_of(const dobra::mesh::PolygonMesh& m
     pieces[piece[root]].push_back(t);
   }
   std::vector<SheetMade> sheets;
-  std::vector<std::uint32_t> number(piece.size(), no_half_edge);
+  std::vector<std::uint32_t> number(piece.size(), no_half_edge), fans(soup.points.size(), 0);
   for (const auto& triangles : pieces) {
-    DOBRA_TRY(SheetMade made, sheet_of_soup(piece_of(soup, triangles, twins, number), options));
+    DOBRA_TRY(SheetMade made, sheet_of_soup(piece_of(soup, triangles, twins, number, fans), options));
     sheets.push_back(std::move(made));
   }
   // Of the whole, told with the first piece.
   Mended& first = sheets.front().mended;
   first.merged += soup.mended.merged, first.dropped += soup.mended.dropped, first.cut += soup.mended.cut;
+  for (std::size_t v = 0; v < fans.size(); ++v) {
+    if (fans[v] < 2) continue;
+    first.parted += fans[v] - 1;
+    first.parted_at.push_back(soup.points[v]);
+  }
   first.unused += drop_unused(soup.points, soup.triangles) - soup.mended.merged;
   return sheets;
 }

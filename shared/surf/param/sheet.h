@@ -53,7 +53,8 @@ struct Mended {
   std::size_t flipped = 0;  ///< Triangles without area that a flip of a side, or their loss on the border, removed.
   std::size_t turned = 0;   ///< Triangles turned the way of most of their piece.
   std::size_t cut = 0;      ///< Faces of more than three corners.
-  std::size_t parted = 0;   ///< Copies of points in which parts of a piece met; sheets_of alone makes them.
+  std::size_t parted = 0;   ///< Copies of points in which parts or pieces met; sheets_of alone makes them.
+  std::vector<geom::Point3> parted_at;  ///< These points.
 };
 
 struct SheetMade {
