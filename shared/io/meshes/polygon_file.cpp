@@ -44,6 +44,14 @@ Result<std::uint32_t> obj_corner(const Records& records, std::size_t i, std::siz
   return static_cast<std::uint32_t>(index);
 }
 
+/// @error BadFormat: a record follows the last one that the header counts
+Result<void> expect_end(Records& records, std::size_t points, std::size_t faces) {
+  if (!records.next()) return {};
+  return records.error(0, fmt::format("the header counts {} points and {} faces, and here is one more record: mend the "
+                                      "counts, or take it out",
+                                      points, faces));
+}
+
 }  // namespace
 
 Result<PolygonMesh> parse_obj(std::string_view text, const std::string& file) {
@@ -96,6 +104,7 @@ Result<PolygonMesh> parse_off(std::string_view text, const std::string& file) {
       face.push_back(static_cast<std::uint32_t>(corner));
     }
   }
+  DOBRA_TRY_VOID(expect_end(records, points, faces));
   return mesh;
 }
 
@@ -169,6 +178,7 @@ Result<PolygonMesh> parse_ply(std::string_view text, const std::string& file) {
       }
     }
   }
+  DOBRA_TRY_VOID(expect_end(records, mesh.points.size(), mesh.faces.size()));
   return mesh;
 }
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "shared/base/disjoint_sets.h"
@@ -259,6 +258,49 @@ void cut_by_ears(const std::vector<Point3>& points, std::vector<std::uint32_t> f
   for (std::size_t i = 1; i + 1 < face.size(); ++i) triangles.push_back({face[0], face[i], face[i + 1]});
 }
 
+/// Seen along the axis nearest to the normal of the greatest triangle at its first corner: unlike the mean normal, that
+/// of a bow-tie is not nought.
+std::vector<geom::Point> seen_along_greatest(const std::vector<Point3>& points,
+                                             const std::vector<std::uint32_t>& face) {
+  geom::Vector3 n{};
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    const geom::Vector3 here = cross(points[face[i]] - points[face[0]], points[face[i + 1]] - points[face[0]]);
+    if (geom::length(here) > geom::length(n)) n = here;
+  }
+  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  std::vector<geom::Point> flat;
+  for (const std::uint32_t corner : face) {
+    const Point3 p = points[corner];
+    flat.push_back(x >= y && x >= z ? geom::Point{p.y, p.z} : y >= z ? geom::Point{p.z, p.x} : geom::Point{p.x, p.y});
+  }
+  return flat;
+}
+
+/// Where two sides of a face pass through each other; sides of warped faces that pass far from each other do not.
+std::optional<Point3> crossing_of(const std::vector<Point3>& points, const std::vector<std::uint32_t>& face) {
+  constexpr double near = 0.1;  // of the shorter side
+  const std::vector<geom::Point> at = seen_along_greatest(points, face);
+  const std::size_t n = face.size();
+  const auto sign = [](geom::Point a, geom::Point b, geom::Point c) {
+    return static_cast<int>(geom::orient2d(a, b, c));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = i + 2; k < n; ++k) {
+      const std::size_t j = (i + 1) % n, l = (k + 1) % n;
+      if (l == i || sign(at[i], at[j], at[k]) * sign(at[i], at[j], at[l]) >= 0 ||
+          sign(at[k], at[l], at[i]) * sign(at[k], at[l], at[j]) >= 0)
+        continue;
+      const geom::Vector along = at[j] - at[i], other = at[l] - at[k];
+      const double turn = cross(along, other);
+      const double s = cross(at[k] - at[i], other) / turn, t = cross(at[k] - at[i], along) / turn;
+      const geom::Vector3 one = points[face[j]] - points[face[i]], two = points[face[l]] - points[face[k]];
+      const Point3 here = points[face[i]] + s * one, there = points[face[k]] + t * two;
+      if (geom::distance(here, there) <= near * std::min(geom::length(one), geom::length(two))) return here;
+    }
+  }
+  return std::nullopt;
+}
+
 bool has(const Triangle& t, std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; }
 
 /// Removes the area-less triangle t: its longest side is flipped, on the border the triangle is left out.
@@ -372,10 +414,19 @@ base::Result<Soup> soup_of(const dobra::mesh::PolygonMesh& mesh) {
     if (!geom::is_finite(soup.points[i]))
       return Error{ErrorCode::NotFinite, fmt::format("point {} of the mesh is not finite", i)};
   }
-  for (const auto& face : mesh.faces) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
     for (const std::uint32_t corner : face) {
       if (corner >= soup.points.size())
         return Error{ErrorCode::BadMesh, fmt::format("a face names point {} of {}", corner, soup.points.size())};
+    }
+    if (face.size() > 3) {
+      if (const auto crossing = crossing_of(soup.points, face)) {
+        return refused(fmt::format("two sides of face {} cross, as in a bow-tie: give its corners in their order "
+                                   "round it, or make two faces of it",
+                                   f),
+                       *crossing);
+      }
     }
     soup.mended.cut += face.size() > 3 ? 1 : 0;
     if (face.size() > 4 || (face.size() == 4 && !turns_one_way(soup.points, face))) {
@@ -410,8 +461,9 @@ base::Result<SheetMade> sheet_of_soup(Soup soup, const SheetOptions& options) {
 }
 
 /// A piece for itself; a point has one copy for each fan of its triangles.
+/// @param fans  one a point: how many so far
 Soup piece_of(const Soup& soup, const std::vector<std::uint32_t>& triangles, const std::vector<HalfEdge>& twins,
-              std::vector<std::uint32_t>& number) {
+              std::vector<std::uint32_t>& number, std::vector<std::uint32_t>& fans) {
   Soup piece;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) number[triangles[i]] = i;
   base::DisjointSets same(3 * triangles.size());
@@ -428,14 +480,13 @@ Soup piece_of(const Soup& soup, const std::vector<std::uint32_t>& triangles, con
   }
   std::vector<std::uint32_t> point(same.size(), no_half_edge);
   piece.triangles.resize(triangles.size());
-  std::set<std::uint32_t> seen;
   for (HalfEdge h = 0; h < same.size(); ++h) {
     const std::uint32_t v = soup.triangles[triangles[h / 3]][h % 3];
     std::uint32_t& mine = point[same.root(h)];
     if (mine == no_half_edge) {
       mine = static_cast<std::uint32_t>(piece.points.size());
       piece.points.push_back(soup.points[v]);
-      piece.mended.parted += seen.insert(v).second ? 0 : 1;
+      ++fans[v];
     }
     piece.triangles[h / 3][h % 3] = mine;
   }
@@ -464,14 +515,19 @@ base::Result<std::vector<SheetMade>> sheets_of(const dobra::mesh::PolygonMesh& m
     pieces[piece[root]].push_back(t);
   }
   std::vector<SheetMade> sheets;
-  std::vector<std::uint32_t> number(piece.size(), no_half_edge);
+  std::vector<std::uint32_t> number(piece.size(), no_half_edge), fans(soup.points.size(), 0);
   for (const auto& triangles : pieces) {
-    DOBRA_TRY(SheetMade made, sheet_of_soup(piece_of(soup, triangles, twins, number), options));
+    DOBRA_TRY(SheetMade made, sheet_of_soup(piece_of(soup, triangles, twins, number, fans), options));
     sheets.push_back(std::move(made));
   }
   // Of the whole, told with the first piece.
   Mended& first = sheets.front().mended;
   first.merged += soup.mended.merged, first.dropped += soup.mended.dropped, first.cut += soup.mended.cut;
+  for (std::size_t v = 0; v < fans.size(); ++v) {
+    if (fans[v] < 2) continue;
+    first.parted += fans[v] - 1;
+    first.parted_at.push_back(soup.points[v]);
+  }
   first.unused += drop_unused(soup.points, soup.triangles) - soup.mended.merged;
   return sheets;
 }

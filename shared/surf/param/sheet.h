@@ -53,7 +53,8 @@ struct Mended {
   std::size_t flipped = 0;  ///< Triangles without area that a flip of a side, or their loss on the border, removed.
   std::size_t turned = 0;   ///< Triangles turned the way of most of their piece.
   std::size_t cut = 0;      ///< Faces of more than three corners.
-  std::size_t parted = 0;   ///< Copies of points in which parts of a piece met; sheets_of alone makes them.
+  std::size_t parted = 0;   ///< Copies of points in which parts or pieces met; sheets_of alone makes them.
+  std::vector<geom::Point3> parted_at;  ///< These points.
 };
 
 struct SheetMade {
@@ -61,8 +62,9 @@ struct SheetMade {
   Mended mended;
 };
 
-/// @error NotFinite; BadMesh with the place {x, y, z}: no triangle, a side of three triangles, no way to turn the
-///        triangles alike, several pieces, a point in which parts meet, a triangle without area that cannot be mended.
+/// @error NotFinite; BadMesh with the place {x, y, z}: no triangle, a face whose sides cross, a side of three
+///        triangles, no way to turn the triangles alike, several pieces, a point in which parts meet, a triangle
+///        without area that cannot be mended.
 /// @cost  O(n log n)
 base::Result<SheetMade> sheet_of(const dobra::mesh::PolygonMesh& mesh, const SheetOptions& options = {});
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -63,7 +64,18 @@ void tell_mended(const param::Mended& mended, std::vector<Finding>& findings) {
   tell(mended.dropped, "triangles left out that are doubled or have two corners only: {}");
   tell(mended.flipped, "triangles without area, mended: {}");
   tell(mended.turned, "triangles turned the way of most others: {}");
-  tell(mended.parted, "copies made of points in which parts of the mesh meet: {}");
+  if (mended.parted == 0) return;
+  constexpr std::size_t most = 5;
+  const auto& places = mended.parted_at;
+  findings.push_back({"mended",
+                      fmt::format("copies made of points in which parts of the mesh meet: {}; the first of the points "
+                                  "is here",
+                                  mended.parted),
+                      place_of(places[0])});
+  for (std::size_t i = 1; i < std::min(most, places.size()); ++i)
+    findings.push_back({"mended", "parts of the mesh meet in this point too", place_of(places[i])});
+  if (places.size() > most)
+    findings.push_back({"mended", fmt::format("further points in which parts meet: {}", places.size() - most), {}});
 }
 
 base::Place place_of(Point3 p) { return {.x = p.x, .y = p.y, .z = p.z}; }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "shared/surf/remesh/estimate.h"
 #include "shared/surf/remesh/one_sheet.h"
+#include "shared/surf/remesh/slits.h"
 
 namespace dobra::surf::remesh {
 
@@ -98,7 +100,12 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   }
   const double size = options.size > 0.0 ? options.size : sides / count;
   DOBRA_TRY_VOID(not_too_many(sheets, options, size));
-  if (sheets.size() == 1) return remesh_sheet(sheets.front(), options, size, Advice::Size, progress);
+  const std::optional<Finding> slits = slits_of(sheets);
+  if (sheets.size() == 1) {
+    auto made = remesh_sheet(sheets.front(), options, size, Advice::Size, progress);
+    if (made && slits) made->findings.insert(made->findings.begin(), *slits);
+    return made;
+  }
   Remeshed all;
   std::vector<std::vector<Finding>> findings{
       {{"pieces", fmt::format("the mesh has several pieces, each meshed by itself: {}", sheets.size()), {}}}};
@@ -127,6 +134,7 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
   }
   all.quality = mesh::quality_of(all.mesh);
   all.findings = gathered(findings);
+  if (slits) all.findings.insert(all.findings.begin(), *slits);
   return all;
 }
 

@@ -44,6 +44,21 @@ TEST(PolygonFile, FaultsHaveTheirLine) {
   EXPECT_THAT(said(parse_off("OFF\n2 1 0\n0 0 0\n", "s.off")), HasSubstr("point 2 of 2"));
 }
 
+TEST(PolygonFile, MoreFacesThanTheHeaderCountsAreRefusedAtTheirLine) {
+  const auto said = [](const auto& read) { return read.ok() ? "" : base::to_string(read.error()); };
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string ply = said(parse_ply(header + points + "3 0 1 2\n3 1 3 2\n", "s.ply"));
+  EXPECT_THAT(ply, HasSubstr("s.ply:15:1"));
+  EXPECT_THAT(ply, HasSubstr("counts 4 points and 1 faces"));
+  EXPECT_THAT(said(parse_off("OFF\n4 1 0\n" + points + "3 0 1 2\n\n3 1 3 2\n", "s.off")), HasSubstr("s.off:9:1"));
+  // Empty lines and comments are no records.
+  EXPECT_EQ(said(parse_ply(header + points + "3 0 1 2\n\n", "s.ply")), "");
+  EXPECT_EQ(said(parse_off("OFF\n4 1 0\n" + points + "3 0 1 2\n# end\n\n", "s.off")), "");
+}
+
 TEST(PolygonFile, OtherEndingsAreRefused) {
   for (const char* const file : {"a.xyz", "a.stl", "a.msh"}) {
     const auto read = formats::read_polygons(file);

@@ -40,6 +40,39 @@ TEST(Sheet, PartsThatMeetInOnePointAreRefusedWithIt) {
   EXPECT_NE(meeting.message.find("meet in point 0"), std::string::npos) << meeting.message;
 }
 
+TEST(Sheet, AFaceWhoseSidesCrossIsRefusedWithThePlace) {
+  // In each of the planes of the axes; the corners 1 and 2 of a square changed places, so its diagonals are sides.
+  for (const int axis : {0, 1, 2}) {
+    const auto at = [&](double u, double v) {
+      return axis == 0 ? geom::Point3{5, u, v} : axis == 1 ? geom::Point3{v, 5, u} : geom::Point3{u, v, 5};
+    };
+    PolygonMesh mesh{{at(0, 0), at(1, 1), at(1, 0), at(0, 1), at(-1, 0)}, {{0, 3, 4}, {0, 1, 2, 3}}};
+    const base::Error even = refusal(mesh);
+    EXPECT_EQ(even.code, base::ErrorCode::BadMesh);
+    EXPECT_NE(even.message.find("sides of face 1 cross"), std::string::npos) << even.message;
+    ASSERT_TRUE(even.place);
+    const geom::Point3 middle = at(0.5, 0.5);
+    EXPECT_NEAR(*even.place->x, middle.x, 1e-12);
+    EXPECT_NEAR(*even.place->y, middle.y, 1e-12);
+    EXPECT_NEAR(*even.place->z, middle.z, 1e-12);
+    EXPECT_FALSE(sheets_of(mesh).ok());
+    // Its halves are not alike: it has an area. The diagonal y = x meets x + 3 y = 3 at 3/4.
+    mesh.points[2] = at(3, 0);
+    const base::Error uneven = refusal(mesh);
+    ASSERT_TRUE(uneven.place);
+    const geom::Point3 crossing = at(0.75, 0.75);
+    EXPECT_NEAR(*uneven.place->x, crossing.x, 1e-12);
+    EXPECT_NEAR(*uneven.place->y, crossing.y, 1e-12);
+    EXPECT_NEAR(*uneven.place->z, crossing.z, 1e-12);
+  }
+}
+
+TEST(Sheet, FacesWhoseSidesMeetButDoNotCrossAreTaken) {
+  // Not convex; warped so that it folds by more than a right angle.
+  EXPECT_TRUE(sheet_of({{{0, 0, 0}, {2, 0, 0}, {0.5, 0.5, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}}).ok());
+  EXPECT_TRUE(sheet_of({{{0, 0, 0}, {1, 0.2, 0}, {0, 1, 0}, {0.8, 0.6, 1}}, {{0, 1, 2, 3}}}).ok());
+}
+
 TEST(Sheet, AMoebiusStripIsRefused) {
   PolygonMesh strip;
   constexpr std::uint32_t n = 12;
