@@ -77,6 +77,29 @@ TEST_F(SurfaceCommand, TellsCountsAreasQualityAndFindings) {
   EXPECT_THAT(text("m.vtu"), HasSubstr("side_set hole"));
 }
 
+TEST_F(SurfaceCommand, WhatTheEnginePaperDoesNotLookAtIsTold) {
+  const std::string file = put("plate.toml", plate);
+  const auto unused = [&](std::vector<std::string> options) {
+    std::vector<std::string> args{"mesh", file, "--size", "2", "--json"};
+    args.insert(args.end(), options.begin(), options.end());
+    const json outcome = told(args);
+    std::vector<std::string> keys;
+    for (const json& finding : outcome["findings"]) {
+      EXPECT_EQ(finding["code"], "option_unused");
+      const auto message = finding["message"].get<std::string>();
+      const std::size_t from = message.find('`') + 1;
+      keys.push_back(message.substr(from, message.find('`', from) - from));
+    }
+    return keys;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(unused({"--engine", "paper", "--chord", "0.1"}), ElementsAre("chord"));
+  EXPECT_THAT(unused({"--engine", "paper", "--growth", "1.17", "--narrow", "2", "--size-formula", "1"}),
+              ElementsAre("growth", "narrow", "size_formula"));
+  EXPECT_THAT(unused({"--engine", "paper", "--turn", "5", "--chord", "0"}), ElementsAre());
+  EXPECT_THAT(unused({"--engine", "front", "--chord", "0.1", "--growth", "1.2"}), ElementsAre());
+}
+
 TEST_F(SurfaceCommand, RefusalsEndWithTheirCodeAndStillPrintFindings) {
   const std::string bad = put("bad.toml", plate +
                                               "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"
