@@ -100,6 +100,36 @@ TEST_F(SurfaceCommand, WhatTheEnginePaperDoesNotLookAtIsTold) {
   EXPECT_THAT(unused({"--engine", "front", "--chord", "0.1", "--growth", "1.2"}), ElementsAre());
 }
 
+TEST_F(SurfaceCommand, MeshesOfClosedSurfacesAreClosedOrRefusedWithThePlace) {
+  // T = 2 (N - chi), by 3 T = 2 E and Euler.
+  const std::string surface = head + "[[input.surface]]\nname = \"s\"\nradius = 5\nkind = ";
+  const std::string sphere = put("sphere.toml", surface + "\"sphere\"\n");
+  const std::string torus = put("torus.toml", surface + "\"torus\"\nminor_radius = 2\n");
+  const auto mesh = [&](const std::string& file, const std::string& size, const std::string& engine) {
+    return call({"mesh", file, "--size", size, "--turn", "90", "--engine", engine, "--json"});
+  };
+  std::size_t refused = 0;
+  for (const std::string engine : {"front", "paper"}) {
+    for (const std::string size : {"50", "12", "8", "6", "5", "4", "3", "2"}) {
+      for (const auto& [file, euler] : {std::pair{sphere, 2}, std::pair{torus, 0}}) {
+        const auto outcome = mesh(file, size, engine);
+        const json told = json::parse(outcome.out, nullptr, false);
+        if (outcome.code == 0) {
+          EXPECT_EQ(told["elements"].get<int>(), 2 * (told["nodes"].get<int>() - euler)) << file << ' ' << size;
+          continue;
+        }
+        ++refused;
+        EXPECT_EQ(outcome.code, 4) << outcome.err;
+        EXPECT_TRUE(told["findings"].back()["place"].contains("point")) << file << ' ' << size;
+      }
+    }
+  }
+  EXPECT_LT(refused, 16U);
+  const auto bag = mesh(sphere, "50", "paper");
+  EXPECT_EQ(bag.code, 4) << bag.out;
+  EXPECT_THAT(bag.err, HasSubstr("ask for a smaller size"));
+}
+
 TEST_F(SurfaceCommand, RefusalsEndWithTheirCodeAndStillPrintFindings) {
   const std::string bad = put("bad.toml", plate +
                                               "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"
