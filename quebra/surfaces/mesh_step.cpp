@@ -28,6 +28,26 @@ Result<void> check(const MeshParams& params) {
   return {};
 }
 
+/// What is asked for and the engine paper does not look at: it goes by size and turn alone.
+std::vector<surf::mesh::Finding> unused_options(const MeshParams& params) {
+  if (params.engine != meshing::EngineChoice::Paper) return {};
+  std::vector<surf::mesh::Finding> findings;
+  const auto tell = [&](bool asked, const char* key) {
+    if (!asked) return;
+    findings.push_back(
+        {"option_unused",
+         fmt::format("the engine paper does not look at `{}`: it goes by size and turn; leave it out, or "
+                     "mesh with the engine front",
+                     key),
+         {}});
+  };
+  tell(params.chord > 0.0, "chord");
+  tell(params.growth.has_value(), "growth");
+  tell(params.narrow != meshing::MeshRules{}.narrow, "narrow");
+  tell(!params.size_formula.empty(), "size_formula");
+  return findings;
+}
+
 }  // namespace
 
 Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParams& params, const scenario::Context&,
@@ -46,6 +66,8 @@ Result<model::Model> add_surface_mesh(const model::Model& model, const MeshParam
   options.second_order = params.order == meshing::Order::Second;
   options.most_triangles = static_cast<std::size_t>(params.max_elements);
   DOBRA_TRY(model::SurfaceMeshed meshed, mesh_surfaces(*model.surfaces, options, progress));
+  const auto unused = unused_options(params);
+  meshed.findings.insert(meshed.findings.begin(), unused.begin(), unused.end());
   model::Model result = model;
   result.work.reset();
   meshed.name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.surface_meshes.size() + 1);

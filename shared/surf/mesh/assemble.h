@@ -39,8 +39,8 @@ base::Result<SurfaceMesh> join(std::span<const trim::TrimmedSurface> surfaces, c
                                std::span<const FaceMesh> faces);
 
 /// @error CannotMesh or NotFinite with the place {x, y, z}: arrays that do not fit, corners that do not exist or are
-///        not finite, a triangle without area, a side that two triangles of one face use in one direction, or two of
-///        two faces where there is no third, a set with a side that is none.
+///        not finite, a triangle without area, two on the same three nodes, a side that two triangles of one face use
+///        in one direction, or two of two faces where there is no third, a set with a side that is none.
 /// @cost  O(n log n)
 base::Result<void> check(const SurfaceMesh& mesh);
 

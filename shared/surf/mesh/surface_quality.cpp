@@ -82,11 +82,18 @@ Result<void> check_triangles(const SurfaceMesh& mesh) {
   return {};
 }
 
-/// The triangles at one side: of one face two at most, which run along it in opposite ways; so do two of two faces.
+/// The triangles at one side: no two on the same three nodes; of one face two at most, which run along it in opposite
+/// ways; so do two of two faces.
 Result<void> check_run(const SurfaceMesh& mesh, std::span<const SideOf> run) {
   const bool sheet = run.size() == 2;
+  const auto across = [&](const SideOf& side) { return mesh.triangles[side.triangle][(side.side + 2U) % 3]; };
   for (std::size_t i = 0; i < run.size(); ++i) {
     for (std::size_t j = i + 1; j < run.size(); ++j) {
+      if (across(run[i]) == across(run[j])) {
+        return broken(
+            mesh, fmt::format("it has the same three nodes as triangle {}: ask for a smaller size", run[i].triangle),
+            run[j].triangle);
+      }
       const bool one_face = mesh.faces[run[i].triangle] == mesh.faces[run[j].triangle];
       if ((!sheet && !one_face) || run[i].forward != run[j].forward) continue;
       if (!sheet) return broken(mesh, "three triangles of one face share a side", run[j].triangle);

@@ -77,6 +77,59 @@ TEST_F(SurfaceCommand, TellsCountsAreasQualityAndFindings) {
   EXPECT_THAT(text("m.vtu"), HasSubstr("side_set hole"));
 }
 
+TEST_F(SurfaceCommand, WhatTheEnginePaperDoesNotLookAtIsTold) {
+  const std::string file = put("plate.toml", plate);
+  const auto unused = [&](std::vector<std::string> options) {
+    std::vector<std::string> args{"mesh", file, "--size", "2", "--json"};
+    args.insert(args.end(), options.begin(), options.end());
+    const json outcome = told(args);
+    std::vector<std::string> keys;
+    for (const json& finding : outcome["findings"]) {
+      EXPECT_EQ(finding["code"], "option_unused");
+      const auto message = finding["message"].get<std::string>();
+      const std::size_t from = message.find('`') + 1;
+      keys.push_back(message.substr(from, message.find('`', from) - from));
+    }
+    return keys;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(unused({"--engine", "paper", "--chord", "0.1"}), ElementsAre("chord"));
+  EXPECT_THAT(unused({"--engine", "paper", "--growth", "1.17", "--narrow", "2", "--size-formula", "1"}),
+              ElementsAre("growth", "narrow", "size_formula"));
+  EXPECT_THAT(unused({"--engine", "paper", "--turn", "5", "--chord", "0"}), ElementsAre());
+  EXPECT_THAT(unused({"--engine", "front", "--chord", "0.1", "--growth", "1.2"}), ElementsAre());
+}
+
+TEST_F(SurfaceCommand, MeshesOfClosedSurfacesAreClosedOrRefusedWithThePlace) {
+  // T = 2 (N - chi), by 3 T = 2 E and Euler.
+  const std::string surface = head + "[[input.surface]]\nname = \"s\"\nradius = 5\nkind = ";
+  const std::string sphere = put("sphere.toml", surface + "\"sphere\"\n");
+  const std::string torus = put("torus.toml", surface + "\"torus\"\nminor_radius = 2\n");
+  const auto mesh = [&](const std::string& file, const std::string& size, const std::string& engine) {
+    return call({"mesh", file, "--size", size, "--turn", "90", "--engine", engine, "--json"});
+  };
+  std::size_t refused = 0;
+  for (const std::string engine : {"front", "paper"}) {
+    for (const std::string size : {"50", "12", "8", "6", "5", "4", "3", "2"}) {
+      for (const auto& [file, euler] : {std::pair{sphere, 2}, std::pair{torus, 0}}) {
+        const auto outcome = mesh(file, size, engine);
+        const json told = json::parse(outcome.out, nullptr, false);
+        if (outcome.code == 0) {
+          EXPECT_EQ(told["elements"].get<int>(), 2 * (told["nodes"].get<int>() - euler)) << file << ' ' << size;
+          continue;
+        }
+        ++refused;
+        EXPECT_EQ(outcome.code, 4) << outcome.err;
+        EXPECT_TRUE(told["findings"].back()["place"].contains("point")) << file << ' ' << size;
+      }
+    }
+  }
+  EXPECT_LT(refused, 16U);
+  const auto bag = mesh(sphere, "50", "paper");
+  EXPECT_EQ(bag.code, 4) << bag.out;
+  EXPECT_THAT(bag.err, HasSubstr("ask for a smaller size"));
+}
+
 TEST_F(SurfaceCommand, RefusalsEndWithTheirCodeAndStillPrintFindings) {
   const std::string bad = put("bad.toml", plate +
                                               "[[input.trim]]\nname = \"hole\"\nkind = \"circle\"\nrole = \"hole\"\n"

@@ -75,6 +75,29 @@ TEST(Assemble, CheckFindsThreeTrianglesOnASide) {
   EXPECT_NE(result.error().message.find("three triangles"), std::string::npos);
 }
 
+TEST(Assemble, CheckFindsTrianglesThatAreThereTwice) {
+  // A square and its back, of another face: every side has two triangles, which run along it in opposite ways.
+  SurfaceMesh mesh = square();
+  for (const Corners& c : std::vector(mesh.triangles)) {
+    mesh.triangles.push_back({c[0], c[2], c[1]});
+    mesh.places.push_back({});
+    mesh.faces.push_back(1);
+    mesh.regions.push_back(0);
+  }
+  for (const std::size_t kept : {4U, 2U}) {
+    SurfaceMesh bag = mesh;
+    if (kept == 2U) {
+      bag.triangles = {mesh.triangles[0], mesh.triangles[2]};
+      bag.places.resize(2), bag.regions.resize(2), bag.faces = {0, 1};
+    }
+    const auto result = check(bag);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, base::ErrorCode::CannotMesh);
+    EXPECT_NE(result.error().message.find("same three nodes"), std::string::npos) << result.error().message;
+    EXPECT_TRUE(result.error().place->z.has_value());
+  }
+}
+
 TEST(Assemble, CheckFindsWhatHasNoAreaIsNotFiniteOrDoesNotExist) {
   SurfaceMesh flat_one = square();
   flat_one.points[3] = {0.5, 0.5, 0};
