@@ -13,7 +13,6 @@
 #include "quebra/surfaces/common_borders.h"
 #include "quebra/surfaces/trimming.h"
 #include "shared/base/text.h"
-#include "shared/scenario/condition.h"
 #include "shared/surf/graph_flaws.h"
 #include "shared/surf/trim/rings.h"
 
@@ -192,37 +191,7 @@ class SurfaceMaker {
     return base::located(error, at);
   }
 
-  /// No entry has a key that its kind or its role does not use.
-  template <class Params>
-  [[nodiscard]] Result<void> all_used(const char* key) const {
-    const scenario::Value* rows = table_.find(key);
-    if (rows == nullptr) return {};
-    const std::vector<scenario::Field> fields = scenario::fields_of<Params>();
-    const std::size_t count = std::get<std::vector<scenario::Table>>(*rows).size();
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const scenario::Field& field : fields) {
-        const auto& entries = row(key, i).entries();
-        const auto entry =
-            std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == field.key; });
-        if (entry == entries.end()) continue;
-        const auto lacking = scenario::unmet(field, row(key, i), fields);
-        if (!lacking) continue;
-        Place at = place(key, i);
-        at.line = entry->place.line, at.column = entry->place.column;
-        return Error{ErrorCode::UnknownKey,
-                     fmt::format("the key `{}` is not for {} = {}: it is for {}; take it out", field.key, lacking->key,
-                                 scenario::word_of(lacking->key, row(key, i), fields).value_or(""),
-                                 fmt::join(lacking->words, ", ")),
-                     at};
-      }
-    }
-    return {};
-  }
-
   Result<void> make_curves() {
-    DOBRA_TRY_VOID(all_used<SpaceCurveParams>("space_curve"));
-    DOBRA_TRY_VOID(all_used<SurfaceParams>("surface"));
-    DOBRA_TRY_VOID(all_used<TrimParams>("trim"));
     for (std::size_t i = 0; i < input_.space_curves.size(); ++i) {
       auto curve = make_space_curve(input_.space_curves[i]);
       if (!curve) return at_line(curve.error(), "space_curve", i);

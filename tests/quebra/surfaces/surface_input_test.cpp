@@ -275,34 +275,6 @@ TEST(SurfaceInput, BadInputIsNamedWithItsLine) {
               testing::AllOf(HasSubstr("surface 's'"), HasSubstr("0.1")));
 }
 
-TEST(SurfaceInput, KeysOfOtherKindsAreRefusedWithTheirLineAndTheKindsThatTheyAreFor) {
-  using testing::AllOf;
-  EXPECT_THAT(refusal(plate + "radius = 3\n"),
-              AllOf(HasSubstr("test.toml:8"), HasSubstr("surface 'plate'"),
-                    HasSubstr("`radius` is not for kind = plane: it is for sphere, cylinder, cone, torus")));
-  // A plane by default.
-  EXPECT_THAT(refusal("[[input.surface]]\nname = \"p\"\nweights = [1, 1]\nu = [0, 1]\nv = [0, 1]\n"),
-              AllOf(HasSubstr("test.toml:5"), HasSubstr("`weights` is not for kind = plane: it is for nurbs")));
-  EXPECT_THAT(refusal("[[input.surface]]\nname = \"s\"\nkind = \"sphere\"\nradius = 2\nhalf_angle = 20\n"),
-              AllOf(HasSubstr("test.toml:7"), HasSubstr("`half_angle` is not for kind = sphere: it is for cone")));
-  EXPECT_THAT(refusal("[[input.surface]]\nname = \"e\"\nkind = \"extruded\"\ncurves = [\"c\"]\nby = [0, 1, 0]\n"
-                      "v = [0, 1]\n[[input.space_curve]]\nname = \"c\"\nkind = \"line\"\n"
-                      "points = [[0, 0, 0], [1, 0, 0]]\n"),
-              AllOf(HasSubstr("test.toml:8"), HasSubstr("`v` is not for kind = extruded")));
-  EXPECT_THAT(refusal("[[input.space_curve]]\nname = \"c\"\nkind = \"line\"\npoints = [[0, 0, 0], [1, 0, 0]]\n"
-                      "radius = 1\n" +
-                      plate),
-              AllOf(HasSubstr("test.toml:7"), HasSubstr("space curve 'c'"),
-                    HasSubstr("`radius` is not for kind = line: it is for circle")));
-  EXPECT_THAT(
-      refusal(plate + trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [5, 5]\nradius = 1\nradii = [1, 2]\n")),
-      AllOf(HasSubstr("test.toml:14"), HasSubstr("`radii` is not for kind = circle: it is for ellipse")));
-  EXPECT_THAT(refusal(plate + trim("kind = \"circle\"\nrole = \"hole\"\ncentre = [5, 5]\nradius = 1\ntip_size = 1\n")),
-              AllOf(HasSubstr("test.toml:14"), HasSubstr("`tip_size` is not for role = hole: it is for crack")));
-  EXPECT_NEAR(area_of(plate + "origin = [1, 2, 3]\naxis = [0, 0, 2]\nx_axis = [0, 1, 0]\nfacing = \"against\"\n"),
-              100.0, 1e-9);
-}
-
 TEST(SurfaceInput, APatchBetweenThreeCurvesIsMadeAndOneWithAGapRefused) {
   const auto text = [](const std::string& last) {
     const std::string border = "[[input.space_curve]]\nkind = \"line\"\nname = ";
