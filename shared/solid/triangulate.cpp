@@ -287,7 +287,7 @@ std::optional<geom::Point3> where_edges_meet(const Space& space, Projection onto
     if (space.orient(onto, c, d, p) == Sign::Zero && between(space, onto, c, d, p)) return space.rounded(p);
   }
   // They cross: the share of a-b before c-d.
-  const auto beside = [&](PointId p) {
+  const auto beside = [&, c = c, d = d](PointId p) {
     const auto at = [&](PointId q, int axis) { return space.coordinate(q, axis); };
     return (at(d, onto.u) - at(c, onto.u)) * (at(p, onto.v) - at(c, onto.v)) -
            (at(d, onto.v) - at(c, onto.v)) * (at(p, onto.u) - at(c, onto.u));

@@ -61,7 +61,7 @@ double expected_triangles(const Sheet& sheet, const std::vector<double>& sizes) 
   double sum = 0.0;
   for (const auto& [a, b, c] : sheet.triangles) {
     const double size = (sizes[a] + sizes[b] + sizes[c]) / 3.0;
-    const auto side = [&](std::uint32_t to) { return (sheet.points[to] - sheet.points[a]) / size; };
+    const auto side = [&, a = a](std::uint32_t to) { return (sheet.points[to] - sheet.points[a]) / size; };
     sum += 0.5 * geom::length(cross(side(b), side(c))) / equilateral;
   }
   return sum;
