@@ -1,17 +1,13 @@
 // 1. Every line by the part of its length, or by place; the vertices of all of them are the breaks of u.
 // 2. v by the mean chord over all breaks.
-// 3. One collocation matrix for all breaks: control points across the lines.
-// 4. By place: a column at each break by its own ways on the map, as Bezier pieces from line to line.
+// 3. A column across the lines at each break, as Bezier pieces from line to line: by its own ways on the map, or by v.
 #include "shared/surf/loft/loft.h"
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-
-#include "shared/surf/spline_basis.h"
 
 namespace dobra::surf::loft {
 
@@ -83,14 +79,6 @@ base::Result<std::vector<double>> chord_parameters(const std::vector<double>& u,
   for (double& value : v) value /= v.back();
   v.back() = 1.0;
   return v;
-}
-
-/// Knots of the spline through values at v whose end pieces are one piece each ("not a knot").
-std::vector<double> knots_across(const std::vector<double>& v, std::size_t degree) {
-  std::vector<double> knots(degree + 1, v.front());
-  if (degree == 3) knots.insert(knots.end(), v.begin() + 2, v.end() - 2);
-  knots.insert(knots.end(), degree + 1, v.back());
-  return knots;
 }
 
 /// The lines at all breaks, gone on beyond their ends: on the map along their last pieces, in height as the nearest
@@ -283,17 +271,39 @@ std::vector<Point3> bezier_points(const CommonBreaks& common, const std::vector<
   return points;
 }
 
-/// Lines by place.
-base::Result<Loft> placed_loft(const CommonBreaks& common, std::vector<double> knots_u) {
-  const std::vector<std::vector<Point3>> whole = gone_on(common);
+/// By parts of lengths all columns go by v.
+Column column_by(const std::vector<double>& v, const std::vector<std::vector<Point3>>& lines, std::size_t i) {
+  Column column;
+  std::vector<Point3> points;
+  for (std::size_t j = 0; j < lines.size(); ++j) {
+    if (j > 0) column.steps.push_back(v[j] - v[j - 1]);
+    points.push_back(lines[j][i]);
+  }
+  column.slopes = slopes_through(points, column.steps);
+  column.through.assign(lines.size(), 1);
+  return column;
+}
+
+}  // namespace
+
+base::Result<Loft> loft(const std::vector<std::vector<Point3>>& lines, const LineParts& parts) {
+  if (lines.size() < 2)
+    return Error{ErrorCode::InvalidOption, fmt::format("a surface through {} lines; give two at least", lines.size())};
+  DOBRA_TRY(const CommonBreaks common, common_breaks(lines, parts));
+  const bool by_place = !parts.empty();
+  const std::vector<std::vector<Point3>> whole = by_place ? gone_on(common) : common.points;
   DOBRA_TRY(std::vector<double> v, chord_parameters(common.u, whole));
   std::vector<Column> columns;
-  for (std::size_t i = 0; i < common.u.size(); ++i) columns.push_back(column_through(common, whole, i));
+  for (std::size_t i = 0; i < common.u.size(); ++i)
+    columns.push_back(by_place ? column_through(common, whole, i) : column_by(v, whole, i));
   std::vector<Point3> controls;
   for (std::size_t i = 0; i < common.u.size(); ++i) {
     const std::vector<Point3> column = bezier_points(common, whole, columns, i);
     controls.insert(controls.end(), column.begin(), column.end());
   }
+  std::vector<double> knots_u{0.0};
+  knots_u.insert(knots_u.end(), common.u.begin(), common.u.end());
+  knots_u.push_back(1.0);
   const std::size_t degree = v.size() > 2 ? 3 : 1;
   std::vector<double> knots_v{v.front()};
   for (const double line : v) knots_v.insert(knots_v.end(), degree, line);
@@ -301,8 +311,6 @@ base::Result<Loft> placed_loft(const CommonBreaks& common, std::vector<double> k
   DOBRA_TRY(Surface surface, Surface::nurbs(1, std::move(knots_u), degree, std::move(knots_v), controls));
   return Loft{std::move(surface), std::move(v)};
 }
-
-}  // namespace
 
 base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<Point3>>& lines, const LineParts& parts) {
   CommonBreaks common;
@@ -363,40 +371,6 @@ std::optional<LineParts> parts_by_place(const std::vector<std::vector<Point3>>& 
     }
   }
   return places;
-}
-
-base::Result<Loft> loft(const std::vector<std::vector<Point3>>& lines, const LineParts& parts) {
-  if (lines.size() < 2)
-    return Error{ErrorCode::InvalidOption, fmt::format("a surface through {} lines; give two at least", lines.size())};
-  DOBRA_TRY(const CommonBreaks common, common_breaks(lines, parts));
-  std::vector<double> knots_u{0.0};
-  knots_u.insert(knots_u.end(), common.u.begin(), common.u.end());
-  knots_u.push_back(1.0);
-  if (!parts.empty()) return placed_loft(common, std::move(knots_u));
-  DOBRA_TRY(std::vector<double> v, chord_parameters(common.u, common.points));
-  const std::size_t count = lines.size(), degree = std::min<std::size_t>(count - 1, 3);
-  const std::vector<double> knots_v = knots_across(v, degree);
-  DOBRA_TRY(const SplineBasis basis, SplineBasis::make(degree, knots_v, "knots across the lines"));
-  const auto rows = static_cast<Eigen::Index>(count);
-  Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(rows, rows);
-  for (std::size_t j = 0; j < count; ++j) {
-    const SplineBasis::Values values = basis.at(v[j]);
-    for (std::size_t k = 0; k <= degree; ++k)
-      collocation(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(values.first + k)) = values.of[0][k];
-  }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> solver(collocation);
-  std::vector<Point3> controls;
-  Eigen::MatrixX3d right(rows, 3);
-  for (std::size_t i = 0; i < common.u.size(); ++i) {
-    for (Eigen::Index j = 0; j < rows; ++j) {
-      const Point3 p = common.points[static_cast<std::size_t>(j)][i];
-      right.row(j) << p.x, p.y, p.z;
-    }
-    const Eigen::MatrixX3d found = solver.solve(right);
-    for (Eigen::Index j = 0; j < rows; ++j) controls.push_back({found(j, 0), found(j, 1), found(j, 2)});
-  }
-  DOBRA_TRY(Surface surface, Surface::nurbs(1, std::move(knots_u), degree, knots_v, controls));
-  return Loft{std::move(surface), std::move(v)};
 }
 
 }  // namespace dobra::surf::loft
