@@ -1,5 +1,5 @@
 #pragma once
-// The surface through lines that lie side by side: straight from vertex to vertex along the lines, a cubic B-spline
+// The surface through lines that lie side by side: straight from vertex to vertex along the lines, a cubic spline
 // across them. Across the lines it misses a smooth surface by the fourth power of their spacing. Solids between whole
 // sections are solid/shape/loft.h. Page: docs/algorithms/loft.md. Source: [piegl1997] 9.2.1 (interpolation), 10.3
 // (skinning).
