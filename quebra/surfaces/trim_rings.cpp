@@ -51,28 +51,21 @@ class RingMaker {
   [[nodiscard]] bool meet(Point a, Point b) const { return length(less_periods(b - a)) <= near_; }
   [[nodiscard]] bool comes_back(const std::vector<Point>& way) const { return meet(way.back(), way.front()); }
 
-  /// Adds the piece that begins where the way ends, or puts the one that ends where it begins before it.
+  /// Adds a piece that has an end where the way ends or begins, in either sense.
   bool goes_on(std::vector<Point>& way) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (used_[i] != 0) continue;
-      const std::vector<Point>& piece = pieces_[i];
-      if (meet(way.back(), piece.front())) {
-        add(way, way.end(), piece, way.back() - piece.front());
-      } else if (meet(piece.back(), way.front())) {
-        add(way, way.begin(), piece, way.front() - piece.back());
-      } else {
-        continue;
-      }
+      std::vector<Point> piece = pieces_[i];
+      if (meet(way.back(), piece.back()) || meet(way.front(), piece.front())) std::reverse(piece.begin(), piece.end());
+      const bool after = meet(way.back(), piece.front());
+      if (!after && !meet(piece.back(), way.front())) continue;
+      const Vector by = after ? way.back() - piece.front() : way.front() - piece.back();
+      for (Point& p : piece) p = p + by;
+      way.insert(after ? way.end() : way.begin(), piece.begin(), piece.end());
       used_[i] = 1;
       return true;
     }
     return false;
-  }
-  static void add(std::vector<Point>& way, std::vector<Point>::iterator before, const std::vector<Point>& piece,
-                  Vector by) {
-    std::vector<Point> moved;
-    for (const Point p : piece) moved.push_back(p + by);
-    way.insert(before, moved.begin(), moved.end());
   }
 
   [[nodiscard]] Result<void> has_inside(const std::vector<Point>& way) const {

@@ -197,7 +197,8 @@ class Search {
     for (int i = 0; i < 4; ++i) {
       const double off = 1e-9 * scale_[i];
       if (x[i] < all.low[i] - off || x[i] > all.high[i] + off) return;
-      x[i] = std::clamp(x[i], all.low[i], all.high[i]);
+      if (x[i] < all.low[i] + hair * scale_[i]) x[i] = all.low[i];
+      if (x[i] > all.high[i] - hair * scale_[i]) x[i] = all.high[i];
     }
     const Both j = at(x);
     const Vector3 n = unit_or_nought(cross(j.a.u, j.a.v)), m = unit_or_nought(cross(j.b.u, j.b.v));
@@ -475,6 +476,12 @@ class Search {
       chains.push_back(std::move(chain));
     }
     const double same = 1e-9 * size_;
+    for (Chain& chain : chains) {
+      end_in_contacts(chain.points);
+      std::reverse(chain.points.begin(), chain.points.end());
+      end_in_contacts(chain.points);
+      std::reverse(chain.points.begin(), chain.points.end());
+    }
     drop_doubles(chains, same);
     std::erase_if(chains, [this](const Chain& chain) { return is_speck(chain.points); });
     for (bool again = true; again;) {
@@ -483,6 +490,7 @@ class Search {
         if (chains[i].closed) continue;
         for (const bool at_end : {true, false}) {
           const Point3 end = at_end ? chains[i].points.back().at : chains[i].points.front().at;
+          if (curves_cross_at(end, same)) continue;  // a curve has a corner there
           std::vector<std::pair<std::size_t, bool>> meet;  // ends of chains at this place; true: the last point
           for (std::size_t k = 0; k < chains.size(); ++k) {
             if (chains[k].closed) continue;
@@ -514,6 +522,28 @@ class Search {
     }
     found_.contacts = std::move(contacts);
     for (Chain& chain : chains) found_.curves.push_back({std::move(chain.points), chain.closed});
+  }
+
+  [[nodiscard]] bool curves_cross_at(Point3 place, double same) const {
+    return std::any_of(found_.contacts.begin(), found_.contacts.end(), [&](const SharedContact& contact) {
+      return contact.kind == SharedContact::Kind::Crossing && geom::distance(contact.point.at, place) <= same;
+    });
+  }
+
+  /// Where the surfaces touch at the end of a curve, the end is known to the root of the rounding only, the contact much
+  /// better.
+  void end_in_contacts(std::vector<SharedPoint>& points) const {
+    constexpr double near = 1e-5;
+    const auto apart = [&](const SharedPoint& p, const SharedPoint& q) {
+      const Four x(p.first.x - q.first.x, p.first.y - q.first.y, p.second.x - q.second.x, p.second.y - q.second.y);
+      return x.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
+    };
+    for (const SharedContact& contact : found_.contacts) {
+      if (contact.kind != SharedContact::Kind::Crossing || apart(points.back(), contact.point) > near) continue;
+      while (points.size() > 2 && apart(points[points.size() - 2], contact.point) <= near) points.pop_back();
+      points.back() = contact.point;
+      return;
+    }
   }
 
   /// Of a curve through a pole hardly more than rounding is left beside it, which may be found as a curve of its own.

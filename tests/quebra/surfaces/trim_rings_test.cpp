@@ -2,6 +2,7 @@
 
 #include "quebra/surfaces/trim_rings.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -80,6 +81,28 @@ TEST(TrimRings, HolesOverASeamTakeTheSameAsElsewhere) {
   // Over both seams of a torus, at the corner of its chart.
   EXPECT_NEAR(area_of(ring + by_sphere("[6, 0, 0]", "0.5")), area_of(ring + by_sphere("[-6, 0, 0]", "0.5")), 1e-6);
   EXPECT_LT(area_of(ring + by_sphere("[6, 0, 0]", "0.5")), 20 * pi * pi - 0.7);
+}
+
+/// Two pipes of one radius meet in ellipses that cross in two places, where the pipes touch.
+TEST(TrimRings, EqualPipesMeetWhereverTheirSeamsAre) {
+  for (const char* const x_of_pipe : {"[1, 0, 0]", "[0, 1, 0]", "[0, -1, 0]"}) {
+    for (const double turn : {0.0, 20.0, 90.0, 180.0, 270.0}) {
+      const double angle = turn * pi / 180.0;
+      const auto made = surfaces_of(fmt::format(
+          "[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 2\nx_axis = {}\nv = [-5, 5]\n"
+          "[[input.surface]]\nname = \"branch\"\nkind = \"cylinder\"\nradius = 2\naxis = [1, 0, 0]\n"
+          "x_axis = [0, {}, {}]\nv = [0, 5]\n"
+          "[[input.trim]]\nname = \"hole\"\nkind = \"surface\"\nsurface = \"c\"\ntool = \"branch\"\nrole = \"hole\"\n"
+          "[[input.trim]]\nname = \"end\"\nkind = \"surface\"\nsurface = \"branch\"\ntool = \"c\"\nrole = \"cut\"\n"
+          "[[input.part]]\nsurface = \"branch\"\nat = [45, 4.5]\n",
+          x_of_pipe, std::cos(angle), std::sin(angle)));
+      ASSERT_TRUE(made.ok()) << x_of_pipe << " " << turn << " " << to_string(made.error());
+      ASSERT_EQ(made->faces.size(), 2U);
+      // A lens of one pipe is 2 r^2 times the integral of the cosine over half a turn, and there are two on the branch.
+      EXPECT_NEAR(surf::trim::area(made->faces[0]).value, 40 * pi - 16, 1e-5) << x_of_pipe << " " << turn;
+      EXPECT_NEAR(surf::trim::area(made->faces[1]).value, 20 * pi - 16, 1e-5) << x_of_pipe << " " << turn;
+    }
+  }
 }
 
 TEST(TrimRings, ALineAlongASeamIsASetOfTheMesh) {

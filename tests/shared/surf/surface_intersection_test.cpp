@@ -137,6 +137,25 @@ TEST(IntersectSurfaces, PipesThatCross) {
   EXPECT_NEAR(total, 2 * 15.2807, 0.05);  // of the ellipse with axes 2 and 2 sqrt 2
 }
 
+TEST(IntersectSurfaces, CurvesThatEndWhereTheSurfacesTouchEndThereToTheDigits) {
+  const Surface main = *Surface::cylinder({}, 2.0, {{0, -5}, {2 * pi, 5}});
+  // Half of it, from the axis of the other on, its seam through a place where they touch.
+  const Surface branch = *Surface::cylinder({{}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, 2.0, {{0, 0}, {2 * pi, 5}});
+  const auto shared = intersect_surfaces(main, branch);
+  ASSERT_TRUE(shared.ok()) << shared.error().message;
+  std::size_t ends = 0;
+  for (const SharedCurve& curve : shared->curves) {
+    EXPECT_FALSE(curve.closed);
+    for (const SharedPoint& p : {curve.points.front(), curve.points.back()}) {
+      if (std::abs(p.at.y) < 1.99) continue;
+      ++ends;
+      EXPECT_LT(geom::distance(p.at, {0, std::copysign(2.0, p.at.y), 0}), 1e-14);
+      EXPECT_EQ(p.second.y, 0.0);  // the border of the branch, exactly
+    }
+  }
+  EXPECT_EQ(ends, 4U);
+}
+
 TEST(IntersectSurfaces, TouchingAlongALineIsToldAndCoincidingIsRefused) {
   const Surface pipe = *Surface::cylinder({}, 2.0, {{0, 0}, {pi, 5}});
   const auto along = intersect_plane(pipe, {0, 2, 0}, {0, 1, 0});
