@@ -12,6 +12,7 @@
 #include "quebra/surfaces/common_borders.h"
 #include "quebra/surfaces/expected_triangles.h"
 #include "quebra/surfaces/face_engine.h"
+#include "quebra/surfaces/mesh_doubts.h"
 #include "quebra/surfaces/wanted_size.h"
 #include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/free_borders.h"
@@ -122,55 +123,6 @@ void give_back(const Charts& charts, model::SurfaceMeshed& meshed) {
   }
 }
 
-/// Where the area is missed by most: at the largest triangle of the face whose area is farthest from its surface's.
-/// @param areas  of the surfaces of the faces
-base::Place area_lost_at(const model::SurfaceMeshed& meshed, const Charts& charts, const model::SurfaceSet& set,
-                         const std::vector<double>& areas) {
-  const surf::mesh::SurfaceMesh& mesh = meshed.mesh;
-  std::vector<double> lost = areas, greatest(areas.size(), 0.0);
-  std::vector<geom::Point3> at(areas.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::size_t face = charts.owner[mesh.faces[t]];
-    const auto& corners = mesh.triangles[t];
-    const geom::Point3 a = mesh.point(corners[0]), b = mesh.point(corners[1]), c = mesh.point(corners[2]);
-    const double area = 0.5 * geom::length(cross(b - a, c - a));
-    lost[face] -= area;
-    if (area > greatest[face]) greatest[face] = area, at[face] = a;
-  }
-  const auto most =
-      std::max_element(lost.begin(), lost.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }) -
-      lost.begin();
-  base::Place place = set.faces[static_cast<std::size_t>(most)].place;
-  const geom::Point3 p = at[static_cast<std::size_t>(most)];
-  place.x = p.x, place.y = p.y, place.z = p.z;
-  return place;
-}
-
-/// What a mesh that was made all the same is to be doubted for.
-void doubt(model::SurfaceMeshed& meshed, const Charts& charts, const model::SurfaceSet& set,
-           const std::vector<double>& areas) {
-  constexpr double off = 0.01, flat = 0.1;
-  const double gap = std::abs(meshed.quality.area - meshed.area_surface);
-  if (gap > off * meshed.area_surface) {
-    meshed.findings.push_back(
-        {"area_off",
-         fmt::format("the mesh has an area of {:.6g} m2, its surfaces one of {:.6g} m2: use smaller "
-                     "sizes, or look at the borders that were mended",
-                     meshed.quality.area, meshed.area_surface),
-         area_lost_at(meshed, charts, set, areas)});
-  }
-  if (meshed.quality.triangles == 0 || meshed.quality.alpha_min >= flat) return;
-  const auto& corners = meshed.mesh.triangles[meshed.quality.worst.index()];
-  base::Place place;
-  const geom::Point3 p = meshed.mesh.point(corners[0]);
-  place.x = p.x, place.y = p.y, place.z = p.z;
-  meshed.findings.push_back(
-      {"flat_triangle",
-       fmt::format("a triangle has an alpha of {:.3g}: a corner of its face is sharp, or sides of its border are short",
-                   meshed.quality.alpha_min),
-       place});
-}
-
 /// Reads the formula of sizes, and refuses sizes that are none or are too small.
 Result<void> check_sizes(const model::SurfaceSet& set, const Charts& charts, SurfaceMeshOptions& options,
                          std::optional<WantedSize>& wanted, const base::Progress& progress) {
@@ -244,12 +196,13 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   DOBRA_TRY_VOID(surf::mesh::check(meshed.mesh));
   done("assemble");
   meshed.quality = surf::mesh::quality_of(meshed.mesh);
-  doubt(meshed, charts, set, areas);
+  doubt_triangles(meshed, set, charts.owner, areas);
   meshed.elements = surf::mesh::elements_of(meshed.mesh);
   if (options.quadrilaterals) meshed.elements = surf::mesh::recombine(meshed.elements);
   if (options.second_order)
     meshed.elements = surf::mesh::to_second_order(meshed.elements, charts.faces, division.middles);
   DOBRA_TRY_VOID(surf::mesh::check(meshed.elements));
+  doubt_elements(meshed, charts.faces);
   give_back(charts, meshed);
   done("elements");
   return meshed;

@@ -243,6 +243,22 @@ void number_between(Recognised::State& s, SharedNumbers& numbers) {
   }
 }
 
+/// Lines that end on a side of the chart so near to each other that they may be meant to meet.
+void tell_openings(const Recognised::State& s, std::size_t lines, std::vector<Finding>& findings) {
+  constexpr double near = 1e-5;
+  for (std::size_t a = 0; a < s.arcs.arcs.size(); ++a) {
+    const Arc& arc = s.arcs.arcs[a];
+    if (!s.arcs.strands[arc.strand].side || s.line[a] < lines) continue;
+    const Point p = s.arcs.uv(s.arcs.vertices[arc.start]), q = s.arcs.uv(s.arcs.vertices[arc.end]);
+    if (geom::distance(s.arcs.vertices[arc.start], s.arcs.vertices[arc.end]) >= near) continue;
+    findings.push_back({"ends_apart",
+                        fmt::format("a line ends {:.3g} m beside the end of another one or a corner of the chart: what "
+                                    "they bound is open there",
+                                    geom::distance(s.surface.at(p), s.surface.at(q))),
+                        place_of(s.surface, p)});
+  }
+}
+
 }  // namespace
 
 base::Result<Analysed> analysed(const Surface& surface, std::span<const TrimLine> lines, SharedNumbers& numbers,
@@ -254,6 +270,7 @@ base::Result<Recognised> recognise(const Surface& surface, std::span<const TrimL
                                    const RecogniseOptions& options) {
   DOBRA_TRY(Analysed found, analysed(surface, lines, numbers, options));
   number_between(*found.state, numbers);
+  tell_openings(*found.state, lines.size(), found.findings);
   return Recognised(found.state, std::move(found.findings));
 }
 

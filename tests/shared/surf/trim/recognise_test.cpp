@@ -209,6 +209,25 @@ TEST(Recognise, GapsAreClosedAndToldAndWideOnesRefused) {
   }
 }
 
+TEST(Recognise, EndsThatNearlyMeetOnASideOfTheChartAreTold) {
+  const auto codes = [](const std::vector<TrimLine>& lines) {
+    const auto found = recognise(square(10), lines);
+    EXPECT_TRUE(found.ok());
+    std::vector<std::string> told;
+    if (!found) return told;
+    for (const Finding& each : found->findings()) told.push_back(each.code);
+    return told;
+  };
+  const auto line = [](Point a, Point b) { return TrimLine{{{straight(a, b, "l")}, ChartLine::Kind::Constraint}}; };
+  const std::vector<std::string> apart{"ends_apart"};
+  EXPECT_EQ(codes({line({0, 5}, {5, 5}), line({5, 5}, {0, 5 + 2e-6})}), apart);
+  EXPECT_EQ(codes({line({10, 10 - 2e-6}, {5, 5})}), apart);
+  EXPECT_TRUE(codes({line({0, 5}, {5, 5}), line({5, 5}, {0, 5})}).empty());
+  EXPECT_TRUE(codes({line({0, 5}, {5, 5}), line({5, 5}, {0, 5 + 2e-3})}).empty());
+  // Drawn along the side: nothing is open.
+  EXPECT_TRUE(codes({line({0, 5}, {5, 5}), line({5, 5}, {0, 5 + 2e-6}), line({0, 5}, {0, 5 + 2e-6})}).empty());
+}
+
 TEST(Recognise, WhatDoesNotCloseEnclosesNothingOrLeavesTheChartIsRefusedWithThePlace) {
   const TrimLine open{{{straight({0.2, 0.2}, {0.8, 0.2}), straight({0.8, 0.2}, {0.8, 0.8})}}, true};
   const auto not_closed = recognise(square(), std::vector{open});

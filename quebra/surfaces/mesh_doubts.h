@@ -1,0 +1,21 @@
+#pragma once
+// What a mesh of surfaces that was made all the same is to be doubted for.
+
+#include <span>
+#include <vector>
+
+#include "quebra/model/surface_meshed.h"
+
+namespace quebra::surfaces {
+
+/// An area off that of the surfaces, a flat triangle, parts that hang together in a node.
+/// @param owner  of which face of the set each surface of the mesh is
+/// @param areas  of the faces by quadrature, m2
+void doubt_triangles(model::SurfaceMeshed& meshed, const model::SurfaceSet& set, std::span<const std::size_t> owner,
+                     std::span<const double> areas);
+
+/// Elements of second order whose sides bend so much that a corner looks against the surface.
+/// @param surfaces  those that were meshed, in the order of elements.faces
+void doubt_elements(model::SurfaceMeshed& meshed, std::span<const dobra::surf::trim::TrimmedSurface> surfaces);
+
+}  // namespace quebra::surfaces
