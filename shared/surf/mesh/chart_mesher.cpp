@@ -286,20 +286,23 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
   for (const auto& edge : input.chart.edges)
     largest = std::max(largest, geom::distance(input.at[edge.nodes[0].index()], input.at[edge.nodes[1].index()]));
   std::optional<FaceMesh> best;
-  Faults fewest;
+  Faults fewest, before;
+  int alike = 0;  // attempts that folded where the one before did
   for (int attempt = 0; attempt <= options.attempts || (best && fewest.grave() > 0 && attempt <= options.unfolding);
        ++attempt) {
     DOBRA_TRY(ChartMesher mesher, ChartMesher::start(input, own, progress));
     while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
     FaceMesh made = mesher.mesh();
     const Faults faults = faults_of(made, input.surface, largest);
+    alike = faults.grave() > 0 && faults.grave() == before.grave() && faults.first == before.first ? alike + 1 : 0;
+    before = faults;
     if (!best || std::pair(faults.grave(), faults.flat) < std::pair(fewest.grave(), fewest.flat)) {
       best = std::move(made);
       fewest = faults;
     }
     const bool large = best->chart.triangles.size() > options.large;
     if (fewest.grave() == 0 && (fewest.flat == 0 || large)) break;
-    if (fewest.grave() > options.hopeless) break;
+    if (fewest.grave() > options.hopeless || alike >= options.alike) break;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }

@@ -27,6 +27,7 @@ struct ChartMeshOptions {
   /// this, so often, and takes the best.
   int attempts = 2;
   int unfolding = 5;  ///< So often where it folds: then there is no mesh at all.
+  int alike = 2;      ///< But no more once so many followed each other that folded in one and the same place.
   /// But not where more triangles than this fold: then the surface does so itself, at any size.
   std::size_t hopeless = 200;
   double smaller = 0.93;

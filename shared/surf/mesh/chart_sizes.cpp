@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 
 #include "shared/surf/mesh/tips.h"
 #include "shared/surf/trim/finding.h"
@@ -59,6 +61,24 @@ double size_by_bend(double bend, const SizeOptions& options) {
   return size;
 }
 
+/// Radians; 15 degrees where none is asked.
+double turn_of(const SizeOptions& options) {
+  return (options.turn > 0.0 ? options.turn : 15.0) * std::numbers::pi / 180.0;
+}
+
+/// Whether a unit of the chart is so short, or isolines are so nearly one, that rounded coordinates bend the surface.
+bool is_narrow(const Surface& surface, const Jet& jet) {
+  constexpr double part = 1e-2;
+  const Metric m = metric(jet);
+  const double u = std::sqrt(m.e) * surface.chart().width(), v = std::sqrt(m.g) * surface.chart().height();
+  return std::min(u, v) < part * surface.size() || m.area() < part * std::sqrt(m.e * m.g);
+}
+
+/// Whether a bend may be one of the rounding of coordinates, or of so little extent that it is not followed.
+bool is_in_doubt(const Surface& surface, const Jet& jet, double bend, double extent, const SizeOptions& options) {
+  return bend > turn_of(options) / extent || (bend > 0.0 && is_narrow(surface, jet));
+}
+
 /// What a place of the chart asks for and how it is stretched.
 struct Sample {
   double size = 0.0;
@@ -79,8 +99,7 @@ class Builder {
 
   /// Of what shape and formula ask, the least at a place of the scaled chart, where `jet` is.
   [[nodiscard]] double size(Point p, const Jet& jet) const {
-    double by_shape =
-        size_by_bend(followed_bend(chart_.surface(), chart_.held(p), jet, unnoticed_, options_), options_);
+    double by_shape = size_by_bend(bend(p, jet), options_);
     for (const Tip& tip : tips_) {
       const double distance = geom::distance(tip.at, jet.at);
       if (distance < tip_seen * largest_) by_shape *= tip_seen * largest_ / std::max(distance, 1e-12 * largest_);
@@ -105,6 +124,16 @@ class Builder {
   }
 
  private:
+  /// The bend that is followed. Cells have their places in common, and looking around is slow: each is looked at once.
+  [[nodiscard]] double bend(Point p, const Jet& jet) const {
+    const double whole = greatest_bend(jet);
+    if (size_by_bend(whole, options_) >= largest_ || !is_in_doubt(chart_.surface(), jet, whole, unnoticed_, options_))
+      return whole;
+    const auto [at, fresh] = looked_at_.try_emplace(p);
+    if (fresh) at->second = followed_bend(chart_.surface(), chart_.held(p), jet, unnoticed_, options_);
+    return at->second;
+  }
+
   [[nodiscard]] bool follows_badly(const Quadtree& tree, QuadCellId id, std::uint32_t first_look,
                                    double& least_size) const {
     constexpr double unnoticed = 0.1;
@@ -150,6 +179,14 @@ class Builder {
   const double unnoticed_;
   const geom::Box box_;
   const std::span<const Tip> tips_;
+  struct Bits {
+    std::size_t operator()(Point p) const {
+      const auto x = std::bit_cast<std::uint64_t>(p.x), y = std::bit_cast<std::uint64_t>(p.y);
+      const std::uint64_t mixed = (x ^ (y * 0x9E3779B97F4A7C15ULL)) * 0xFF51AFD7ED558CCDULL;
+      return mixed ^ (mixed >> 32U);
+    }
+  };
+  mutable std::unordered_map<Point, double, Bits> looked_at_;  ///< By places of the scaled chart.
 };
 
 /// Levels of the tree before its cells are looked at: each piece of the surface is seen.
@@ -222,11 +259,6 @@ bool is_flat_corner(const Surface& surface, Point uv, Vector window) {
   return geom::length(cross(jet.u, jet.v)) <= touching * geom::length(jet.u) * geom::length(jet.v);
 }
 
-/// Radians; 15 degrees where none is asked.
-double turn_of(const SizeOptions& options) {
-  return (options.turn > 0.0 ? options.turn : 15.0) * std::numbers::pi / 180.0;
-}
-
 /// The bend round a place, 1/m, from the normals at four places diagonally beside it, `extent` away; none where these
 /// turn by more than the turn: that bend is no smaller than the extent. Six jets.
 std::optional<double> bend_around(const Surface& surface, Point uv, double extent, const SizeOptions& options) {
@@ -267,14 +299,6 @@ std::optional<double> bend_around(const Surface& surface, Point uv, double exten
   return std::min(bend, most);
 }
 
-/// Whether a unit of the chart is so short, or isolines are so nearly one, that rounded coordinates bend the surface.
-bool is_narrow(const Surface& surface, const Jet& jet) {
-  constexpr double part = 1e-2;
-  const Metric m = metric(jet);
-  const double u = std::sqrt(m.e) * surface.chart().width(), v = std::sqrt(m.g) * surface.chart().height();
-  return std::min(u, v) < part * surface.size() || m.area() < part * std::sqrt(m.e * m.g);
-}
-
 Error too_small_to_tell(const ScaledChart& chart, Point at, double size) {
   return {
       ErrorCode::TooManyElements,
@@ -299,8 +323,7 @@ double unnoticed_bend(double largest, const SizeOptions& options) {
 
 double followed_bend(const Surface& surface, Point uv, const Jet& jet, double extent, const SizeOptions& options) {
   const double bend = greatest_bend(jet);
-  const double most = turn_of(options) / extent;
-  if (!(bend > most) && !(bend > 0.0 && is_narrow(surface, jet))) return bend;
+  if (!is_in_doubt(surface, jet, bend, extent, options)) return bend;
   const auto around = bend_around(surface, uv, extent, options);
   return around ? std::min(bend, *around) : bend;
 }
