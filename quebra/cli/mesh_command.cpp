@@ -109,6 +109,21 @@ Result<scenario::Step> zone_step(const std::string& text) {
   return step;
 }
 
+/// The turn where none is asked for the faces of a file. What cannot be read is refused by the run.
+void set_usual_turn(Session& session, const std::string& file, scenario::Table& params) {
+  const auto imported = io::faces::faces_of_file(file);
+  if (!imported) return;
+  const scenario::Value* const size = params.find("size");
+  const auto* const number = size == nullptr ? nullptr : std::get_if<double>(size);
+  const double turn = core::usual_turn(imported->faces, number == nullptr ? 0.0 : *number);
+  params.set("turn", turn);
+  if (turn > core::usual_turn({}, 0.0))
+    session.note(
+        fmt::format("sides turn by up to {} degrees: by {} a face would have some hundred thousand "
+                    "triangles; --turn asks for less",
+                    turn, core::usual_turn({}, 0.0)));
+}
+
 /// Its last step is the mesh that is asked for; what stands behind says nothing about it.
 Result<scenario::Document> mesh_document_of(Session& session, const MeshOptions& options) {
   DOBRA_TRY(scenario::Document document, document_of(session, options.input));
@@ -126,7 +141,7 @@ Result<scenario::Document> mesh_document_of(Session& session, const MeshOptions&
   DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
   DOBRA_TRY_VOID(options.step.set(fields, params));
   if (core::is_brep(options.input.scenario.file.string()) && params.find("turn") == nullptr)
-    params.set("turn", core::usual_turn_of_brep);
+    set_usual_turn(session, options.input.scenario.file.string(), params);
   for (const std::string& text : options.bands) {
     DOBRA_TRY(scenario::Step step, band_step(text));
     document.steps.insert(document.steps.end() - 1, std::move(step));

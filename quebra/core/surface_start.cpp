@@ -1,8 +1,10 @@
 #include "quebra/core/surface_start.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "quebra/core/input.h"
+#include "quebra/surfaces/expected_triangles.h"
 #include "shared/geom/box3.h"
 #include "shared/io/faces/import.h"
 
@@ -41,6 +43,17 @@ geom::Box3 box_of(const std::vector<surf::trim::TrimmedSurface>& faces) {
 
 scenario::FileKind brep_files() { return {"Boundary model", {".brep"}}; }
 
+double usual_turn(std::span<const surf::trim::TrimmedSurface> faces, double size) {
+  constexpr double usual = 10.0, most = 40.0, many = 2e5;
+  constexpr int lines = 64;
+  double turn = usual;
+  const auto makes_many = [&](const surf::trim::TrimmedSurface& face) {
+    return surfaces::expected_triangles(face, {.largest = size, .turn = turn}, lines).count > many;
+  };
+  while (turn < most && std::any_of(faces.begin(), faces.end(), makes_many)) turn *= 2.0;
+  return turn;
+}
+
 base::Result<scenario::Document> document_of_brep(const std::filesystem::path& file) {
   DOBRA_TRY(const io::faces::Imported imported, io::faces::faces_of_file(file.string()));
   scenario::Document document;
@@ -51,8 +64,9 @@ base::Result<scenario::Document> document_of_brep(const std::filesystem::path& f
   if (!(diagonal > 0.0)) return document;  // the run says why there is nothing to mesh
   scenario::Step mesh;
   mesh.operation = "mesh";
-  mesh.params.set("size", round_number(diagonal / sides_a_diagonal));
-  mesh.params.set("turn", usual_turn_of_brep);
+  const double size = round_number(diagonal / sides_a_diagonal);
+  mesh.params.set("size", size);
+  mesh.params.set("turn", usual_turn(imported.faces, size));
   document.steps.push_back(std::move(mesh));
   return document;
 }

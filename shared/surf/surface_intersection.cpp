@@ -490,7 +490,7 @@ class Search {
         if (chains[i].closed) continue;
         for (const bool at_end : {true, false}) {
           const Point3 end = at_end ? chains[i].points.back().at : chains[i].points.front().at;
-          if (curves_cross_at(end, same)) continue;  // a curve has a corner there
+          if (curves_cross_at(end, same)) continue;        // a curve has a corner there
           std::vector<std::pair<std::size_t, bool>> meet;  // ends of chains at this place; true: the last point
           for (std::size_t k = 0; k < chains.size(); ++k) {
             if (chains[k].closed) continue;
@@ -530,8 +530,8 @@ class Search {
     });
   }
 
-  /// Where the surfaces touch at the end of a curve, the end is known to the root of the rounding only, the contact much
-  /// better.
+  /// Where the surfaces touch at the end of a curve, the end is known to the root of the rounding only, the contact
+  /// much better.
   void end_in_contacts(std::vector<SharedPoint>& points) const {
     constexpr double near = 1e-5;
     const auto apart = [&](const SharedPoint& p, const SharedPoint& q) {

@@ -1,4 +1,5 @@
 #include "quebra/core/surface_marks.h"
+#include "tests/support/surface_scenarios.h"
 
 #include <gtest/gtest.h>
 
@@ -183,6 +184,20 @@ TEST(SurfaceStart, ABoundaryModelBecomesADocumentWhoseMeshIsOfItsSize) {
   EXPECT_GT(quality.triangles, 200u);
   EXPECT_LT(quality.triangles, 20000u);
   EXPECT_FALSE(document_of_brep("there_is_no_such.brep").ok());
+}
+
+TEST(SurfaceStart, AFaceThatIsRoughEverywhereTurnsByMoreWhereNothingIsAsked) {
+  const auto waves = [](const std::string& formula) {
+    const auto made = test::surfaces_of("[[input.surface]]\nname = \"g\"\nkind = \"graph\"\nformula = \"" + formula +
+                                        "\"\nu = [0, 10]\nv = [0, 10]\n");
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+    return made->faces;
+  };
+  // The third bends by 20 radians a metre: sides of 0.009 m over 100 m2 are a million triangles and more.
+  EXPECT_EQ(usual_turn(waves("0.0"), 0.5), 10.0);
+  EXPECT_EQ(usual_turn(waves("0.5 * sin(x)"), 0.5), 10.0);
+  EXPECT_GT(usual_turn(waves("0.05 * sin(20 * x) * sin(20 * y)"), 0.5), 10.0);
+  EXPECT_LE(usual_turn(waves("0.5 * sin(40 * x) * sin(40 * y)"), 0.5), 40.0);
 }
 
 }  // namespace
