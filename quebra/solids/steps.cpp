@@ -41,8 +41,9 @@ Result<void> check_name(const Parts& parts, const std::string& name) {
   return Error{ErrorCode::BadValue, fmt::format("two parts are called '{}'; names must differ", name)};
 }
 
-/// Whether the step puts shapes into their places, so that it tells what was rounded.
-enum class Places { No, Yes };
+/// Whether the step puts shapes into their places, so that it tells what was rounded; or makes them, so that it also
+/// tells which of their faces are left out.
+enum class Places { No, Moved, Made };
 
 /// The model with one more part, evaluated.
 Result<model::Model> with_part(const model::Model& model, Part part, Places places, const StepProgress& progress) {
@@ -64,10 +65,15 @@ Result<model::Model> with_part(const model::Model& model, Part part, Places plac
       return error;
     }
     rounded += made->rounded;
+    for (const solid::OppositeFaces& faces : made->opposite) {
+      if (places != Places::Made) break;
+      next.remarks.push_back(fmt::format("{}: {}; at ({:.6g}, {:.6g}, {:.6g})", label(part.name), solid::message(faces),
+                                         faces.at.x, faces.at.y, faces.at.z));
+    }
     body.solid = std::move(made->solid);
     empty = empty && body.solid.empty();
   }
-  if (rounded > 0 && places == Places::Yes) {
+  if (rounded > 0 && places != Places::No) {
     next.remarks.push_back(fmt::format("{}: {} points were rounded to the nearest numbers when they were placed",
                                        label(part.name), rounded));
   }
@@ -109,7 +115,7 @@ Result<model::Model> with_shape(const model::Model& model, const PlacedPart& par
   }
   Tree tree = solid::csg::placed(solid::csg::leaf(std::move(text), *std::move(shape)), matrix);
   const std::string& material = params.material.empty() ? params.part : params.material;
-  return with_part(model, {params.part, {{material, std::move(tree), {}}}}, Places::Yes, progress);
+  return with_part(model, {params.part, {{material, std::move(tree), {}}}}, Places::Made, progress);
 }
 
 /// The parts of those names. @error BadValue
@@ -305,7 +311,7 @@ NextModel add_placed(const model::Model& model, const PlaceParams& params, const
     for (const Body& body : part->bodies)
       placed.bodies.push_back({body.material, solid::csg::placed(body.tree, matrix), {}});
   }
-  return with_part(model, std::move(placed), Places::Yes, progress);
+  return with_part(model, std::move(placed), Places::Moved, progress);
 }
 
 NextModel add_rounded(const model::Model& model, const RoundParams& params, const StepContext&,

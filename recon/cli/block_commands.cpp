@@ -33,7 +33,7 @@ using dobra::cli::Session;
 using nlohmann::ordered_json;
 
 struct BlockOptions {
-  SectionOptions section;
+  SectionOptions section{dobra::cli::OutOfRange::BadUsage};
   std::optional<std::filesystem::path> out;
 };
 

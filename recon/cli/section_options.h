@@ -17,6 +17,9 @@ namespace recon::cli {
 
 /// The file, how its lines are read, and what else [input] says of the section.
 struct SectionOptions {
+  explicit SectionOptions(dobra::cli::OutOfRange out_of_range = dobra::cli::OutOfRange::BadValue)
+      : lines(out_of_range), input(out_of_range) {}
+
   std::string file;
   dobra::cli::LineOptions lines;
   dobra::cli::ParameterOptions input;

@@ -11,6 +11,7 @@
 #include "recon/cli/section_options.h"
 #include "recon/cli/space_json.h"
 #include "recon/core/space_steps.h"
+#include "recon/space/placed.h"
 #include "recon/space/surface_file.h"
 #include "shared/cli/commands.h"
 #include "shared/cli/findings.h"
@@ -27,8 +28,8 @@ using dobra::cli::Session;
 
 struct SpaceOptions {
   std::string file;
-  dobra::cli::ParameterOptions surface;
-  dobra::cli::ParameterOptions cut, block;
+  dobra::cli::ParameterOptions surface{dobra::cli::OutOfRange::BadUsage};
+  dobra::cli::ParameterOptions cut{dobra::cli::OutOfRange::BadUsage}, block{dobra::cli::OutOfRange::BadUsage};
   std::optional<std::filesystem::path> out;
 };
 
@@ -84,8 +85,11 @@ Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
   DOBRA_TRY_VOID(check_out(options.out));
   DOBRA_TRY(scenario::Document document, with_surface_step(session, options));
   DOBRA_TRY(scenario::Step step, step_of(session, "cut", options.cut));
-  if (step.params.find("trace") == nullptr)
+  const scenario::Value* const trace = step.params.find("trace");
+  if (trace == nullptr)
     return base::Error{base::ErrorCode::BadUsage, "give --trace x0,y0,x1,y1: where the cut runs on the map"};
+  if (const auto good = space::plan_trace(std::get<std::vector<double>>(*trace), "--trace"); !good)
+    return base::Error{base::ErrorCode::BadUsage, good.error().message, good.error().place};
   document.steps.push_back(std::move(step));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));

@@ -166,12 +166,19 @@ Result<Bodies> read_mesh(const std::string& file, const std::optional<std::strin
   }
   solid::FromMeshOptions from;
   from.name = name;
-  auto read = solid::from_mesh(mesh, from);
+  auto read = solid::take(mesh, from);
   if (!read) return base::located(read.error(), in_file(file));
-  if (read->empty()) {
+  if (read->solid.empty()) {
     return Error{ErrorCode::NotClosed, "bounds nothing: none of its faces has an area", in_file(file)};
   }
-  return Bodies{{{Path(file).stem().string(), *std::move(read)}}};
+  for (const solid::OppositeFaces& faces : read->opposite) {
+    base::Place place = in_file(file);
+    place.x = faces.at.x;
+    place.y = faces.at.y;
+    place.z = faces.at.z;
+    findings.push_back({"opposite_faces", solid::message(faces), place});
+  }
+  return Bodies{{{Path(file).stem().string(), std::move(read->solid)}}};
 }
 
 /// A mesh file, or the part of a scenario, the last if `part` is empty.

@@ -176,22 +176,33 @@ class Assembly {
   }
 
   void emit(std::vector<std::string> names) {
-    std::vector<std::vector<std::uint32_t>> loops(face_.size());
+    // The first half-edge of each loop, behind that of the face's loop before it.
+    std::vector<std::uint32_t> first_loop(face_.size(), none);
+    std::vector<std::uint32_t> last_loop(face_.size(), none);
+    std::vector<std::uint32_t> next_loop(next_.size(), none);
     std::vector<char> seen(next_.size(), 0);
+    std::size_t corner_count = 0;
+    std::size_t loop_count = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h) {
       if (!there(h) || seen[h] != 0 || straight_[h] != 0) continue;
-      loops[face_[cell_of(h)]].push_back(h);
-      for (std::uint32_t g = h; seen[g] == 0; g = next_[g]) seen[g] = 1;
+      const std::uint32_t face = face_[cell_of(h)];
+      (last_loop[face] == none ? first_loop[face] : next_loop[last_loop[face]]) = h;
+      last_loop[face] = h;
+      ++loop_count;
+      for (std::uint32_t g = h; seen[g] == 0; g = next_[g], ++corner_count) seen[g] = 1;
     }
+    out_.soup.space.reserve(degree_.size(), loop_count);
+    out_.soup.reserve(loop_count, corner_count, loop_count);
     out_.soup.inner = {touches_ ? Inner::Searched : Inner::Trusted};
     std::vector<std::uint32_t> corner(next_.size(), none);
     std::vector<std::uint32_t> halves;  // of each corner
+    halves.reserve(corner_count);
     for (std::uint32_t c = 0; c < face_.size(); ++c) {
       if (kept_[c] == 0 || face_[c] != c) continue;
       Plane plane = soup_.space.plane(plane_of(c));
       if (turned_[c] != 0) plane = turned_over(plane);
       out_.soup.begin(out_.soup.space.add(plane), 0, name_[c]);
-      for (const std::uint32_t first : loops[c]) {
+      for (std::uint32_t first = first_loop[c]; first != none; first = next_loop[first]) {
         out_.soup.begin_loop();
         std::uint32_t h = first;
         do {

@@ -47,12 +47,18 @@ class BoxTree {
  public:
   /// Over the facets [first, end) of the soup.
   BoxTree(const Soup& soup, std::uint32_t first, std::uint32_t end) {
+    std::vector<Box3> boxes(end - first);
+    std::vector<Middle> middles;
+    middles.reserve(end - first);
     for (std::uint32_t f = first; f < end; ++f) {
-      Item item{f, {}};
-      for (const PointId p : soup.corners_of(soup.facets[f])) item.box.include(soup.space, p);
-      items_.push_back(item);
+      Box3& box = boxes[f - first];
+      for (const PointId p : soup.corners_of(soup.facets[f])) box.include(soup.space, p);
+      middles.push_back({{box.low[0] + box.high[0], box.low[1] + box.high[1], box.low[2] + box.high[2]}, f - first});
     }
-    if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()));
+    nodes_.reserve(boxes.size());
+    if (!boxes.empty()) build(boxes, middles, 0, static_cast<std::uint32_t>(boxes.size()));
+    items_.reserve(boxes.size());
+    for (const Middle& m : middles) items_.push_back({first + m.number, boxes[m.number]});
   }
 
   [[nodiscard]] bool empty() const { return items_.empty(); }
@@ -86,11 +92,18 @@ class BoxTree {
     std::uint32_t left, right;  // none in a leaf
   };
 
-  std::uint32_t build(std::uint32_t first, std::uint32_t end) {
+  /// Of a box, twice its middle; what is moved about while the tree is built.
+  struct Middle {
+    std::array<double, 3> twice;
+    std::uint32_t number;
+  };
+
+  std::uint32_t build(const std::vector<Box3>& boxes, std::vector<Middle>& middles, std::uint32_t first,
+                      std::uint32_t end) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({{}, first, end, none, none});
     Box3 box;
-    for (std::uint32_t i = first; i < end; ++i) box.include(items_[i].box);
+    for (std::uint32_t i = first; i < end; ++i) box.include(boxes[middles[i].number]);
     nodes_[index].box = box;
     if (end - first <= leaf_size) return index;
     std::size_t axis = 0;
@@ -98,14 +111,12 @@ class BoxTree {
       if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis]) axis = i;
     }
     const std::uint32_t half = (first + end) / 2;
-    std::nth_element(items_.begin() + first, items_.begin() + half, items_.begin() + end,
-                     [&](const Item& a, const Item& b) {
-                       const double own = a.box.low[axis] + a.box.high[axis];
-                       const double other = b.box.low[axis] + b.box.high[axis];
-                       return own != other ? own < other : a.facet < b.facet;
+    std::nth_element(middles.begin() + first, middles.begin() + half, middles.begin() + end,
+                     [&](const Middle& a, const Middle& b) {
+                       return a.twice[axis] != b.twice[axis] ? a.twice[axis] < b.twice[axis] : a.number < b.number;
                      });
-    const std::uint32_t left = build(first, half);
-    const std::uint32_t right = build(half, end);
+    const std::uint32_t left = build(boxes, middles, first, half);
+    const std::uint32_t right = build(boxes, middles, half, end);
     nodes_[index].left = left;
     nodes_[index].right = right;
     return index;

@@ -1,8 +1,19 @@
 #include "shared/solid/gathering.h"
 
+#include <array>
+
 namespace dobra::solid {
 
 Gathering::Gathering(std::span<const Solid> operands) {
+  std::array<std::size_t, 5> room{};
+  for (const Solid& operand : operands) {
+    const Soup& own = operand.boundary().soup;
+    const std::array<std::size_t, 5> needed{own.space.point_count(), own.space.plane_count(), own.facets.size(),
+                                            own.corners.size(), own.loop_starts.size()};
+    for (std::size_t i = 0; i < room.size(); ++i) room[i] += needed[i];
+  }
+  soup.space.reserve(room[0], room[1]);
+  soup.reserve(room[2], room[3], room[4]);
   for (std::uint32_t o = 0; o < operands.size(); ++o) add(operands[o].boundary(), o);
 }
 

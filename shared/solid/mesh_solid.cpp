@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
+#include "shared/base/check.h"
+#include "shared/base/disjoint_sets.h"
 #include "shared/mesh/polygon_lists.h"
 #include "shared/solid/assemble.h"
 #include "shared/solid/triangulate.h"
@@ -51,7 +56,7 @@ class Reader {
   Reader(const FaceLoops& mesh, const FromMeshOptions& options, Nothing nothing)
       : mesh_(mesh), options_(options), nothing_(nothing) {}
 
-  base::Result<Solid> run() {
+  base::Result<Taken> run() {
     DOBRA_TRY_VOID(check_corners());
     for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) DOBRA_TRY_VOID(add_face(f));
     soup_.inner = {Inner::Searched};
@@ -69,7 +74,8 @@ class Reader {
         if (const auto covers = cells.covers_of(cell); covers.size() > 1) return nothing_error(cells, cell, covers);
       }
     }
-    return Solid(assemble(soup_, found, cells, round, windings, inside, std::move(names_)));
+    std::vector<OppositeFaces> opposite = opposite_faces(cells, windings, inside);
+    return Taken{Solid(assemble(soup_, found, cells, round, windings, inside, std::move(names_))), std::move(opposite)};
   }
 
  private:
@@ -257,6 +263,54 @@ class Reader {
             fmt::format(fmt::runtime(what), face_[covers[0].facet]), place_at(at)};
   }
 
+  /// Where every region is surrounded once or not at all, a cell with two covers has one turned against another.
+  [[nodiscard]] std::vector<OppositeFaces> opposite_faces(const Cells& cells, const Sides& windings,
+                                                          const std::vector<char>& inside) const {
+    std::vector<std::uint32_t> doubled;
+    for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
+      if (cells.covers_of(cells.cells[c]).size() > 1) doubled.push_back(c);
+    }
+    const auto within = [&](std::uint32_t c) {
+      return inside[windings.above[c]] != 0 && inside[windings.below[c]] != 0;
+    };
+    // Those of one kind with a common corner hang together.
+    base::DisjointSets groups(doubled.size());
+    std::map<std::pair<PointId, bool>, std::size_t> first_at;
+    for (std::size_t i = 0; i < doubled.size(); ++i) {
+      const Cell& cell = cells.cells[doubled[i]];
+      for (std::uint32_t h = cell.first_half; h < cell.half_end; ++h)
+        groups.join(i, first_at.try_emplace({cells.halves[h].origin, within(doubled[i])}, i).first->second);
+    }
+    std::map<std::size_t, OppositeFaces> found;
+    std::set<std::array<std::uint32_t, 2>> known;
+    for (std::size_t i = 0; i < doubled.size(); ++i) {
+      const Cell& cell = cells.cells[doubled[i]];
+      const std::array<std::uint32_t, 2> pair = opposite_pair(cells.covers_of(cell));
+      const bool fresh = known.insert(pair).second;
+      const OppositeFaces told{pair[0], pair[1], 1, within(doubled[i]),
+                               soup_.space.rounded(cells.halves[cell.first_half].origin)};
+      const auto [at, begun] = found.try_emplace(groups.root(i), told);
+      if (begun || !fresh) continue;
+      const std::size_t pairs = at->second.pairs + 1;
+      if (pair < std::array{at->second.face, at->second.against}) at->second = told;
+      at->second.pairs = pairs;
+    }
+    std::vector<OppositeFaces> all;
+    for (const auto& [root, faces] : found) all.push_back(faces);
+    std::sort(all.begin(), all.end(), [](const OppositeFaces& a, const OppositeFaces& b) {
+      return std::pair(a.face, a.against) < std::pair(b.face, b.against);
+    });
+    return all;
+  }
+
+  [[nodiscard]] std::array<std::uint32_t, 2> opposite_pair(std::span<const Cover> covers) const {
+    const auto other = std::find_if(covers.begin(), covers.end(),
+                                    [&](const Cover& cover) { return cover.turned != covers[0].turned; });
+    DOBRA_CHECK(other != covers.end());
+    const auto [low, high] = std::minmax(face_[covers[0].facet], face_[other->facet]);
+    return {low, high};
+  }
+
   std::uint32_t name_number(const std::string& name) {
     const auto [at, fresh] = numbers_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
     if (fresh) names_.push_back(name);
@@ -295,18 +349,37 @@ std::optional<Error> turn_error(const mesh::PolygonMesh& mesh) {
 
 }  // namespace
 
-base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options) {
+std::string message(const OppositeFaces& faces) {
+  const char* what = faces.inside
+                         ? "faces {} and {} cover each other, one turned against the other: the wall between them lies "
+                           "within the solid and is left out (pairs of faces in it: {})"
+                         : "faces {} and {} cover each other, one turned against the other: the sheet between them has "
+                           "no thickness and is left out (pairs of faces in it: {})";
+  return fmt::format(fmt::runtime(what), faces.face, faces.against, faces.pairs);
+}
+
+base::Result<Taken> take(const FaceLoops& mesh, const FromMeshOptions& options) {
   return Reader(mesh, options, Nothing::Empty).run();
 }
 
-base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
+base::Result<Taken> take(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
   FaceLoops loops{mesh.points, {}};
   loops.faces.reserve(mesh.faces.size());
   for (const auto& face : mesh.faces) loops.faces.push_back({face});
-  auto solid = Reader(loops, options, Nothing::Refused).run();
-  if (solid || solid.error().code != ErrorCode::NotClosed) return solid;
+  auto taken = Reader(loops, options, Nothing::Refused).run();
+  if (taken || taken.error().code != ErrorCode::NotClosed) return taken;
   if (auto better = turn_error(mesh)) return *std::move(better);
-  return solid;
+  return taken;
+}
+
+base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options) {
+  DOBRA_TRY(Taken taken, take(mesh, options));
+  return std::move(taken.solid);
+}
+
+base::Result<Solid> from_mesh(const mesh::PolygonMesh& mesh, const FromMeshOptions& options) {
+  DOBRA_TRY(Taken taken, take(mesh, options));
+  return std::move(taken.solid);
 }
 
 base::Result<ToMesh> to_mesh(const Solid& solid, FacesAs as) {

@@ -31,8 +31,27 @@ struct FaceLoops {
   std::vector<geom::Point3> points;
   std::vector<std::vector<std::vector<std::uint32_t>>> faces;
 };
-/// The same for them.
+/// The same for them; nothing is what bounds nothing.
 base::Result<Solid> from_loops(const FaceLoops& mesh, const FromMeshOptions& options = {});
+
+/// Faces that cover each other, one turned against the other: what they have in common bounds nothing and is left out.
+struct OppositeFaces {
+  std::uint32_t face = 0, against = 0;  ///< Two of them, numbers in the mesh.
+  std::size_t pairs = 1;                ///< Of faces that do so and hang together with these two.
+  bool inside = false;  ///< The solid is on both sides: a wall within it, as between two boxes side by side. Else a
+                        ///< sheet without thickness, outside or on it.
+  geom::Point3 at;      ///< Where the two have a corner of what they cover together.
+};
+/// One line without the place.
+std::string message(const OppositeFaces& faces);
+
+struct Taken {
+  Solid solid;
+  std::vector<OppositeFaces> opposite;  ///< By number of `face`.
+};
+/// from_mesh() and from_loops() with what they leave out.
+base::Result<Taken> take(const mesh::PolygonMesh& mesh, const FromMeshOptions& options = {});
+base::Result<Taken> take(const FaceLoops& mesh, const FromMeshOptions& options = {});
 
 struct ToMesh {
   mesh::PolygonMesh mesh;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <unordered_map>
 
 #include "shared/base/check.h"
@@ -68,31 +70,71 @@ class Overlay {
     segments_.push_back(segment);
   }
 
-  /// All pairs of segments whose boxes overlap, by a sweep along u.
+  /// The box of a segment: low and high along u and v.
+  struct Range {
+    std::array<double, 2> low, high;
+    std::uint32_t segment;
+  };
+
+  /// All pairs of segments whose boxes overlap, each with the segment before it along u first.
   void split() {
-    struct Range {
-      double low_u, high_u, low_v, high_v;
-      std::uint32_t segment;
-    };
     std::vector<Range> ranges;
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
       const Segment& s = segments_[i];
       const double v = soup_.space.coordinate(s.a, onto_.v);
       const double w = soup_.space.coordinate(s.b, onto_.v);
-      ranges.push_back({soup_.space.coordinate(s.a, onto_.u), soup_.space.coordinate(s.b, onto_.u), std::min(v, w),
-                        std::max(v, w), i});
+      ranges.push_back({{soup_.space.coordinate(s.a, onto_.u), std::min(v, w)},
+                        {soup_.space.coordinate(s.b, onto_.u), std::max(v, w)},
+                        i});
     }
     std::sort(ranges.begin(), ranges.end(), [](const Range& r, const Range& s) {
-      return r.low_u != s.low_u ? r.low_u < s.low_u : r.segment < s.segment;
+      return r.low[0] != s.low[0] ? r.low[0] < s.low[0] : r.segment < s.segment;
     });
-    // Rounding keeps the order, so that boxes of rounded ends overlap where the segments do.
+    constexpr std::size_t few = 100;
+    if (ranges.size() < few || crowding(ranges, 0) <= 2.0 * crowding(ranges, 1)) {
+      sweep(ranges, 0, [&](const Range& s, const Range& r) { meet(s.segment, r.segment); });
+      return;
+    }
+    // Many lie beside each other along u and not along v. Points get their numbers in one order whichever way it is.
+    std::vector<std::uint32_t> place(ranges.size());
+    for (std::uint32_t i = 0; i < ranges.size(); ++i) place[ranges[i].segment] = i;
+    const std::vector<Range> along_u = ranges;
+    std::sort(ranges.begin(), ranges.end(), [](const Range& r, const Range& s) { return r.low[1] < s.low[1]; });
+    std::vector<std::array<std::uint32_t, 2>> pairs;  // the later one first
+    sweep(ranges, 1, [&](const Range& s, const Range& r) {
+      const auto [earlier, later] = std::minmax(place[s.segment], place[r.segment]);
+      pairs.push_back({later, earlier});
+    });
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& [later, earlier] : pairs) meet(along_u[earlier].segment, along_u[later].segment);
+  }
+
+  /// How many boxes lie above a place on the axis, in the mean.
+  static double crowding(const std::vector<Range>& ranges, std::size_t axis) {
+    double low = ranges[0].low[axis];
+    double high = ranges[0].high[axis];
+    double sum = 0.0;
+    for (const Range& r : ranges) {
+      low = std::min(low, r.low[axis]);
+      high = std::max(high, r.high[axis]);
+      sum += r.high[axis] - r.low[axis];
+    }
+    return sum / std::max(high - low, std::numeric_limits<double>::min());
+  }
+
+  /// Calls visit(s, r) for all pairs whose boxes overlap, s before r. Rounding keeps the order, so that boxes of
+  /// rounded ends overlap where the segments do.
+  /// @pre sorted by low[axis]
+  template <class Visit>
+  static void sweep(const std::vector<Range>& ranges, std::size_t axis, Visit&& visit) {
+    const std::size_t across = 1 - axis;
     std::vector<Range> open;
     for (const Range& r : ranges) {
       std::size_t kept = 0;
       for (const Range& s : open) {
-        if (s.high_u < r.low_u) continue;
+        if (s.high[axis] < r.low[axis]) continue;
         open[kept++] = s;
-        if (s.low_v <= r.high_v && r.low_v <= s.high_v) meet(s.segment, r.segment);
+        if (s.low[across] <= r.high[across] && r.low[across] <= s.high[across]) visit(s, r);
       }
       open.resize(kept);
       open.push_back(r);

@@ -35,6 +35,13 @@ struct Soup {
   std::vector<std::uint32_t> loop_starts;  ///< Corner with which a loop begins; the next loop's is its end.
   std::vector<Inner> inner;                ///< For each operand.
 
+  /// Room for as many in all; not in the space.
+  void reserve(std::size_t facet_count, std::size_t corner_count, std::size_t loop_count) {
+    facets.reserve(facet_count);
+    corners.reserve(corner_count);
+    across.reserve(corner_count);
+    loop_starts.reserve(loop_count);
+  }
   /// Adds a loop of the facet that is being made; begin() starts one.
   void begin(PlaneId plane, std::uint32_t operand, std::uint32_t name) {
     const auto corner = static_cast<std::uint32_t>(corners.size());

@@ -82,7 +82,7 @@ PointId Space::add(const Space& other, PointId point) {
 }
 
 PointId Space::find_or_add(Point3 rounded, const Implicit* exact) {
-  if (2 * (rounded_.size() + 1) > slots_.size()) grow();
+  if (2 * (rounded_.size() + 1) > slots_.size()) resize_slots(2 * slots_.size());
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t at = hash_of(rounded) & mask;; at = (at + 1) & mask) {
     const std::uint32_t number = slots_[at];
@@ -113,8 +113,15 @@ bool Space::same(std::uint32_t number, const Implicit* exact) const {
   return true;
 }
 
-void Space::grow() {
-  slots_.assign(2 * slots_.size(), nothing);
+void Space::reserve(std::size_t points, std::size_t planes) {
+  rounded_.reserve(points);
+  exact_.reserve(points);
+  planes_.reserve(planes);
+  if (const std::size_t wanted = std::bit_ceil(2 * (points + 1)); wanted > slots_.size()) resize_slots(wanted);
+}
+
+void Space::resize_slots(std::size_t count) {
+  slots_.assign(count, nothing);
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t i = 0; i < rounded_.size(); ++i) {
     std::size_t at = hash_of(rounded_[i]) & mask;

@@ -57,6 +57,9 @@ class Space {
   /// @pre the points are not collinear, or n is not zero.
   PlaneId add(const Plane& plane);
 
+  /// Room for as many in all.
+  void reserve(std::size_t points, std::size_t planes);
+
   [[nodiscard]] std::size_t point_count() const { return rounded_.size(); }
   [[nodiscard]] std::size_t plane_count() const { return planes_.size(); }
   /// The nearest doubles; the place itself where is_exact().
@@ -132,7 +135,7 @@ class Space {
   template <class Exact>
   [[nodiscard]] geom::Sign side(PlaneId q, geom::Point3 at, bool is_exact, Exact&& exact) const;
   PointId find_or_add(geom::Point3 rounded, const Implicit* exact);
-  void grow();
+  void resize_slots(std::size_t count);
   [[nodiscard]] bool same(std::uint32_t number, const Implicit* exact) const;
   [[nodiscard]] static Homogeneous place(const Implicit& implicit);
   PointId add_crossing(PointId a, PointId b, PlaneId q);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 
 #include "shared/base/check.h"
@@ -147,15 +148,21 @@ Fans fans(const Soup& soup, const Cells& cells) {
     PointId a, b;
     std::uint32_t half;
   };
-  std::vector<Entry> entries;
-  entries.reserve(cells.halves.size());
+  // By a, then by b, then by half: there are few at each point.
+  const auto lesser = [&](std::uint32_t h) { return std::min(cells.halves[h].origin, cells.target(h)); };
+  std::vector<std::uint32_t> start(soup.space.point_count() + 1, 0);
+  for (std::uint32_t h = 0; h < cells.halves.size(); ++h) ++start[lesser(h).index() + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
+  std::vector<Entry> entries(cells.halves.size());
   for (std::uint32_t h = 0; h < cells.halves.size(); ++h) {
-    const PointId p = cells.halves[h].origin;
-    const PointId q = cells.target(h);
-    entries.push_back({std::min(p, q), std::max(p, q), h});
+    const PointId a = lesser(h);
+    entries[at[a.index()]++] = {a, std::max(cells.halves[h].origin, cells.target(h)), h};
   }
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& s, const Entry& t) { return std::tie(s.a, s.b, s.half) < std::tie(t.a, t.b, t.half); });
+  for (std::size_t p = 0; p + 1 < start.size(); ++p) {
+    std::sort(entries.begin() + start[p], entries.begin() + start[p + 1],
+              [](const Entry& s, const Entry& t) { return std::tie(s.b, s.half) < std::tie(t.b, t.half); });
+  }
   Fans fans;
   fans.turned.resize(cells.halves.size());
   std::vector<std::uint32_t> group;

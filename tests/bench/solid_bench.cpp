@@ -1,16 +1,21 @@
 // Speed of solids, one thread: two spheres of n triangles each that overlap (the second turned, so that nothing
 // coincides), read (from_mesh) and combined by union, intersection and difference; a union of m boxes of which each
-// overlaps its neighbour; Menger sponges; points that are located in a sphere; plane sections of a sphere and of a
-// block of units through many sections; where CGAL is installed, the union of the spheres by its Nef polyhedra beside
-// ours (counters nef_ms, ratio). Counters: ns_face per triangle that went in, exponent of the time in n since the size
-// before. Figures belong in docs/algorithms/boolean.md.
+// overlaps its neighbour; unions of pairs of balls, tori, gears, hills and knots (`pairs`); Menger sponges; points that
+// are located in a sphere; plane sections of a sphere and of a block of units through many sections; where CGAL is
+// installed, the union of the spheres by its Nef polyhedra beside ours (counters nef_ms, ratio). Counters: ns_face per
+// triangle that went in, exponent of the time in n since the size before. Figures belong in docs/algorithms/boolean.md.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
 
 #include "shared/solid/cap.h"
 #include "shared/solid/section.h"
@@ -153,6 +158,148 @@ void cut_block(benchmark::State& state) {
   }
 }
 
+// --- pairs of meshes as one finds them ------------------------------------------------------------------------------
+
+/// A closed surface over two angles; at(u, v) for both from 0 to 1, v turning left seen against u from outside.
+template <class At>
+mesh::PolygonMesh ring(std::uint32_t along, std::uint32_t around, At&& at) {
+  mesh::PolygonMesh mesh;
+  for (std::uint32_t i = 0; i < along; ++i) {
+    for (std::uint32_t j = 0; j < around; ++j)
+      mesh.points.push_back(at(static_cast<double>(i) / along, static_cast<double>(j) / around));
+  }
+  for (std::uint32_t i = 0; i < along; ++i) {
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const std::uint32_t here = i * around;
+      const std::uint32_t next = (i + 1) % along * around;
+      const std::uint32_t k = (j + 1) % around;
+      mesh.faces.push_back({here + j, next + j, next + k});
+      mesh.faces.push_back({here + j, next + k, here + k});
+    }
+  }
+  return mesh;
+}
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+mesh::PolygonMesh torus(double triangles) {
+  const auto around = static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 6.0)));
+  return ring(3 * around, around, [](double u, double v) {
+    const double r = 0.75 + 0.25 * std::cos(turn * v);
+    return geom::Point3{r * std::cos(turn * u), r * std::sin(turn * u), 0.25 * std::sin(turn * v)};
+  });
+}
+
+/// A wheel with a bore and teeth that run aslant.
+mesh::PolygonMesh gear(double triangles) {
+  constexpr std::uint32_t teeth = 24;
+  const auto around = static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 24.0)));
+  return ring(12 * around, around, [](double u, double v) {
+    // Round a square: outwards, up, inwards, down.
+    const double side = std::max(std::abs(std::cos(turn * v)), std::abs(std::sin(turn * v)));
+    const double out = std::cos(turn * v) / side;
+    const double up = std::sin(turn * v) / side;
+    const double tooth = 0.12 * std::clamp(2.0 * std::cos(turn * teeth * u + up), -1.0, 1.0);
+    const double r = 0.6 + 0.25 * out + std::max(0.0, out) * tooth;
+    return geom::Point3{r * std::cos(turn * u), r * std::sin(turn * u), 0.3 * up};
+  });
+}
+
+/// A tube along a trefoil.
+mesh::PolygonMesh knot(double triangles) {
+  const auto around = static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 24.0)));
+  const auto path = [](double u) {
+    const double r = 0.65 + 0.28 * std::cos(3.0 * turn * u);
+    return geom::Point3{r * std::cos(2.0 * turn * u), r * std::sin(2.0 * turn * u), 0.28 * std::sin(3.0 * turn * u)};
+  };
+  return ring(12 * around, around, [&](double u, double v) {
+    const geom::Vector3 ahead = normalised(path(u + 1e-5) - path(u - 1e-5));
+    const geom::Vector3 across = normalised(cross(ahead, geom::Vector3{0, 0, 1}));
+    const geom::Vector3 up = cross(across, ahead);
+    return path(u) + 0.1 * (std::cos(turn * v) * across + std::sin(turn * v) * up);
+  });
+}
+
+mesh::PolygonMesh hills(double triangles) {
+  const auto cells = static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 2.0)));
+  return shapes::terrain(cells, cells, -0.8, [&](std::uint32_t i, std::uint32_t j) {
+    const double x = 2.0 * i / cells - 1.0;
+    const double y = 2.0 * j / cells - 1.0;
+    return geom::Point3{x, y, 0.2 * std::sin(5.0 * x + 1.0) * std::cos(4.0 * y) + 0.03 * std::sin(31.0 * x + 17.0 * y)};
+  });
+}
+
+mesh::PolygonMesh ball_of(double triangles) { return ball(static_cast<std::size_t>(triangles), 0.0); }
+
+/// What pairs of meshes cost, in ms: to read, and to unite.
+struct PairTimes {
+  std::vector<double> read, unite;
+  [[nodiscard]] static double mean(const std::vector<double>& times) {
+    return std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
+  }
+  [[nodiscard]] static double median(std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    return 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
+  }
+};
+
+template <class Work>
+double median_ms(int rounds, Work&& work) {
+  std::vector<double> times;
+  for (int i = 0; i < rounds; ++i) {
+    const double begin = process_seconds();
+    work();
+    times.push_back(1e3 * (process_seconds() - begin));
+  }
+  return PairTimes::median(times);
+}
+
+/// Unions of every two kinds of meshes, two sizes each, 20 000 to 200 000 triangles a pair, both turned so that nothing
+/// coincides; of each the median of five. Set beside the published times of the fastest peer on such pairs.
+void pairs(benchmark::State& state) {
+  constexpr std::array kinds{ball_of, torus, gear, hills, knot};
+  constexpr int count = static_cast<int>(kinds.size() * (kinds.size() + 1));
+  PairTimes times;
+  double least = 1e9;
+  double most = 0.0;
+  int pair = 0;
+  for (std::size_t a = 0; a < kinds.size(); ++a) {
+    for (std::size_t b = a; b < kinds.size(); ++b) {
+      for (int round = 0; round < 2; ++round, ++pair) {
+        // Sizes are spread by equal factors, in an order in which neighbours are far apart; the share of the first goes
+        // from a quarter to three.
+        const double size = 2e4 * std::pow(10.0, (7 * pair % count) / (count - 1.0));
+        const double share = 0.25 + 0.5 * (11 * pair % count) / (count - 1.0);
+        const double angle = 0.3 + 0.17 * pair;
+        const mesh::PolygonMesh first = shapes::rotated(kinds[a](share * size), {3, 1, 2}, angle);
+        const mesh::PolygonMesh second = shapes::moved(
+            shapes::rotated(kinds[b]((1.0 - share) * size), {1, 2, -1}, 1.9 * angle), {0.31, 0.23, 0.17 * (1 + round)});
+        const auto triangles = static_cast<double>(first.faces.size() + second.faces.size());
+        least = std::min(least, triangles);
+        most = std::max(most, triangles);
+        std::vector<Solid> operands;
+        times.read.push_back(median_ms(1, [&] { operands = {shapes::solid(first), shapes::solid(second)}; }));
+        std::optional<Combined> both;
+        times.unite.push_back(median_ms(5, [&] { both = combine(operands, Operation::Union).value(); }));
+        const double whole = measure(both->solid).volume;
+        const double va = measure(operands[0]).volume;
+        const double vb = measure(operands[1]).volume;
+        if (both->contact != Contact::Volume || !(whole > std::max(va, vb)) || !(whole < va + vb))
+          state.SkipWithError(fmt::format("pair {} does not overlap", pair).c_str());
+      }
+    }
+  }
+  for (auto _ : state) state.SetIterationTime(1e-3 * PairTimes::median(times.unite));
+  state.counters["pairs"] = static_cast<double>(times.unite.size());
+  state.counters["triangles_least"] = least;
+  state.counters["triangles_most"] = most;
+  state.counters["median_ms"] = PairTimes::median(times.unite);
+  state.counters["mean_ms"] = PairTimes::mean(times.unite);
+  state.counters["most_ms"] = *std::max_element(times.unite.begin(), times.unite.end());
+  state.counters["read_median_ms"] = PairTimes::median(times.read);
+  state.counters["read_mean_ms"] = PairTimes::mean(times.read);
+}
+
 #ifdef DOBRA_CGAL
 void nef(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
@@ -193,6 +340,7 @@ BENCHMARK_CAPTURE(spheres, subtract, Operation::Difference, "subtract")
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(boxes)->Arg(10)->Arg(100)->Arg(1000)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(pairs)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(menger)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -64,7 +64,11 @@ Result<Evaluated> place_shape(shape::Shape made, const Matrix& matrix) {
       for (auto& loop : face) std::reverse(loop.begin(), loop.end());
     }
   }
-  DOBRA_TRY(out.solid, shape::solid_of(made));
+  FromMeshOptions options;
+  options.face_names = std::move(made.names);
+  DOBRA_TRY(Taken taken, take(made.mesh, options));
+  out.solid = std::move(taken.solid);
+  out.opposite = std::move(taken.opposite);
   if (out.solid.empty() && out.rounded > 0) {
     return base::Error{base::ErrorCode::InvalidOption,
                        "nothing is left where it is placed, as coordinates are rounded there: place it nearer to the "

@@ -38,6 +38,7 @@ struct Evaluated {
   std::size_t rounded = 0;  ///< Points of shapes that matrices moved to places which had to be rounded.
   /// What operations that left nothing, or whose operands do not overlap, had in common, in the order of evaluation.
   std::vector<std::pair<Operation, Contact>> contacts;
+  std::vector<OppositeFaces> opposite;  ///< What the shape leaves out, where it was placed; of a leaf alone.
 };
 
 /// Remembers results; thread-safe.

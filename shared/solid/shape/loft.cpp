@@ -54,6 +54,28 @@ std::vector<Triangle> band(const std::vector<Point3>& points, const Chain& a, co
   return triangles;
 }
 
+/// Half the integral of a x db, where chains are walked together from 0 to 1: round a contour the area that lies
+/// between its two copies, as a vector. It is that of the contour where they are equal, and what is turned by an angle
+/// has the cosine of it.
+Vector3 mixed_area(const std::vector<Point3>& points, const Chain& a, const Chain& b) {
+  const auto on = [&](const Chain& chain, std::size_t i, double s) {
+    const Point3 from = points[chain.points[i]];
+    const double part = (s - chain.at[i]) / (chain.at[i + 1] - chain.at[i]);
+    return from + part * (points[chain.points[i + 1]] - from);
+  };
+  const Point3 a_origin = points[a.points[0]];
+  Vector3 sum{};
+  double s = a.at[0];
+  for (std::size_t i = 0, j = 0; i + 1 < a.points.size() && j + 1 < b.points.size();) {
+    const double next = std::min(a.at[i + 1], b.at[j + 1]);
+    if (next > s) sum = sum + cross(on(a, i, 0.5 * (s + next)) - a_origin, on(b, j, next) - on(b, j, s));
+    s = next;
+    if (a.at[i + 1] <= s) ++i;
+    if (b.at[j + 1] <= s) ++j;
+  }
+  return 0.5 * (sum + cross(a_origin - points[0], points[b.points.back()] - points[b.points.front()]));
+}
+
 /// The fractions of a line's length; of an island the last is its first point once more.
 std::vector<double> fractions(const geom::Polyline& line) {
   std::vector<double> at = geom::arc_lengths(line);
@@ -146,6 +168,7 @@ class SectionsLofter {
       darts_.push_back(std::move(darts));
     }
     place_lines();
+    DOBRA_TRY_VOID(check_turns());
     std::vector<LoftPart> parts;
     for (std::uint32_t r = 0; r < maps_[0].regions.size(); ++r) parts.push_back(part(r));
     return parts;
@@ -187,6 +210,29 @@ class SectionsLofter {
         triangles.insert(triangles.end(), next.begin(), next.end());
       }
     }
+  }
+
+  /// Whatever hangs together is turned by less than a right angle from each section to the next.
+  [[nodiscard]] Result<void> check_turns() const {
+    for (std::size_t k = 1; k < chains_.size(); ++k) {
+      const Vector3 n = normal_of(maps_[k - 1].frame);
+      std::vector<double> area(maps_[0].component_count, 0.0);
+      for (const auto& region : maps_[0].regions) {
+        for (const Dart d : maps_[0].loop(region.loops[0])) {
+          const double half = dot(n, mixed_area(points_, chains_[k - 1][d / 2], chains_[k][d / 2]));
+          area[maps_[0].component[d / 2]] += (d & 1U) == 0 ? half : -half;
+        }
+      }
+      for (const auto& region : maps_[0].regions) {
+        const Dart d = region.loops[0];
+        if (area[maps_[0].component[d / 2]] > 0.0) continue;
+        return section_error(k, maps_[k].frame, maps_[k].origin(darts_[k][d]),
+                             fmt::format("its lines are turned against those of section {}, as if its trace were drawn "
+                                         "from the other end: turn it round",
+                                         k));
+      }
+    }
+    return {};
   }
 
   /// The loops of the region in a section, seen from where it is looked at.
@@ -274,9 +320,19 @@ Result<void> check_order(std::span<const PlacedProfile> profiles, const std::vec
   return {};
 }
 
+/// From one contour to the next the area goes as (1 - t)^2 A + 2 t (1 - t) M + t^2 B, which comes to 0 where the mixed
+/// area M is minus the mean of A and B.
+bool shrinks_to_a_point(const std::vector<Point3>& points, const Chain& a, const Chain& b) {
+  constexpr double tolerance = 1e-9;  // of the area: what is turned by half a turn is rounded
+  const Vector3 own = mixed_area(points, a, a);
+  const double first = dot(own, own);
+  const double last = dot(own, mixed_area(points, b, b));
+  return dot(own, mixed_area(points, a, b)) <= -(1.0 - tolerance) * std::sqrt(first * std::max(last, 0.0));
+}
+
 /// The sides over contour c of all profiles.
-void add_bands(Maker& maker, const std::vector<std::vector<Contour>>& contours, const std::vector<Rings>& rings,
-               std::size_t c, SideNames names) {
+Result<void> add_bands(Maker& maker, const std::vector<std::vector<Contour>>& contours, const std::vector<Rings>& rings,
+                       std::size_t c, SideNames names) {
   const std::size_t n = contours[0][c].points.size();
   const bool equal =
       std::all_of(contours.begin(), contours.end(), [&](const auto& own) { return own[c].points.size() == n; });
@@ -288,13 +344,23 @@ void add_bands(Maker& maker, const std::vector<std::vector<Contour>>& contours, 
     return chain;
   };
   for (std::size_t k = 1; k < contours.size(); ++k) {
+    const Chain below = chain_of(k - 1);
+    const Chain above = chain_of(k);
+    if (shrinks_to_a_point(maker.points(), below, above)) {
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("profile {} is turned by half a turn against profile {}, so that the solid would shrink "
+                               "to a point between them: begin it at the corner that stands over the other's first",
+                               k + 1, k),
+                   at_point(maker.points()[above.points[0]])};
+    }
     std::size_t count = 0;
-    for (const Triangle& t : band(maker.points(), chain_of(k - 1), chain_of(k))) {
+    for (const Triangle& t : band(maker.points(), below, above)) {
       // With equal numbers two triangles stand over every side.
       const bool own = equal || names == SideNames::One || c > 0;
       maker.face({{t[0], t[1], t[2]}}, own ? contours[0][c].names[equal ? count++ / 2 : 0] : "side");
     }
   }
+  return {};
 }
 
 }  // namespace
@@ -351,7 +417,7 @@ Result<Shape> loft(std::span<const PlacedProfile> profiles, SideNames names) {
   DOBRA_TRY_VOID(check_order(profiles, rings, maker));
   maker.face(reversed(rings.front()), "start");
   maker.face(rings.back(), "end");
-  for (std::size_t c = 0; c < contours[0].size(); ++c) add_bands(maker, contours, rings, c, names);
+  for (std::size_t c = 0; c < contours[0].size(); ++c) DOBRA_TRY_VOID(add_bands(maker, contours, rings, c, names));
   return maker.take();
 }
 

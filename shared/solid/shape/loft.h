@@ -49,8 +49,9 @@ struct LoftOptions {
 
 /// The parts in the order in which the first section's lines name their regions.
 /// @error DegenerateCurve: a line without length or with a point twice in a row; NotFinite. InvalidOption with the
-///        place: less than two sections; a line whose sides disagree with its neighbour's; sections that cross, or are
-///        looked at from opposite sides; sections with different units or orders of them.
+///        place: less than two sections; a line whose sides disagree with its neighbour's; sections that cross, are
+///        looked at from opposite sides, or are turned against each other by a right angle or more; sections with
+///        different units or orders of them.
 /// @cost  O(n log n + m k) for m lines in k places that look alike
 base::Result<std::vector<LoftPart>> loft_sections(std::span<const LoftSection> sections,
                                                   const LoftOptions& options = {});
@@ -64,8 +65,8 @@ struct PlacedProfile {
 /// A solid over two profiles or more, each in front of the one before. First corners are joined to first corners,
 /// anticlockwise; if numbers of corners are equal each to its own, else by lengths along the contours. Faces are called
 /// start, end, side_1 ... (side where numbers differ), hole_1 ...
-/// @error those of extrude(); InvalidOption: less than two profiles, numbers of holes that differ, or profiles whose
-///        planes cross within the solid, with the place.
+/// @error those of extrude(); InvalidOption: less than two profiles, numbers of holes that differ, profiles whose
+///        planes cross within the solid, or that are turned by half a turn, with the place.
 base::Result<Shape> loft(std::span<const PlacedProfile> profiles, SideNames names = SideNames::Each);
 
 }  // namespace dobra::solid::shape

@@ -269,6 +269,25 @@ TEST_F(SolidCommand, APlaceMovesTheFileBeforeItAndMirrorsKeepTheInside) {
   EXPECT_EQ(turned["findings"][0]["code"], "placed_rounded");
 }
 
+TEST_F(SolidCommand, FacesOfOneFileThatCoverEachOtherAreTold) {
+  const std::string both = put("both.obj", box({0, 0, 0}, {1, 1, 1}) + box({1, 0, 0}, {2, 1, 1}, 9));
+  const json joined = told({both});
+  EXPECT_EQ(counts(joined), (std::array<int, 5>{8, 12, 6, 1, 0}));
+  ASSERT_EQ(joined["findings"].size(), 1U);
+  const json finding = joined["findings"][0];
+  EXPECT_EQ(finding["code"], "opposite_faces");
+  EXPECT_THAT(finding["message"].get<std::string>(), AllOf(HasSubstr("faces 5 and 10"), HasSubstr("left out")));
+  EXPECT_THAT(finding["place"]["file"].get<std::string>(), HasSubstr("both.obj"));
+  EXPECT_EQ(finding["place"]["point"][0], 1.0);
+  // As the other file it is told as well, where it is placed; boxes apart, or in two files, are not spoken of.
+  const std::string a = put("a.obj", box({0, 0, 0}, {1, 1, 1}));
+  const json moved = told({a, "--unite", both, "--place", "1,0,0,0.5,0,1,0,0,0,0,1,0,0,0,0,1"});
+  ASSERT_EQ(moved["findings"].size(), 1U);
+  EXPECT_EQ(moved["findings"][0]["place"]["point"][0], 1.5);
+  const std::string apart = put("apart.obj", box({0, 0, 0}, {1, 1, 1}) + box({1.5, 0, 0}, {2, 1, 1}, 9));
+  EXPECT_EQ(told({apart})["findings"], json::array());
+}
+
 TEST_F(SolidCommand, CountsAreTakenAfterPlaneNeighboursAreMerged) {
   const std::string a = put("a.obj", box({0, 0, 0}, {1, 1, 1}));
   const std::string beside = put("beside.obj", box({1, 0, 0}, {2, 1, 1}));

@@ -132,6 +132,21 @@ TEST_F(SolidScenario, AFaceInThePlaneIsToldByTheOptionAndByTheStep) {
   }
 }
 
+TEST_F(SolidScenario, FacesOfAFileThatCoverEachOtherAreToldOnce) {
+  // A tetrahedron, and one on the other side of its face in the plane x = 0; a place moves both.
+  (void)put("both.obj",
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\n"
+            "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 4\nf 1 5 3\nf 1 4 5\nf 3 5 4\n");
+  const json both = told({put("both.toml", solids_head + step("solid_file", "both", "file = \"both.obj\"") +
+                                               step("place", "moved", "of = [\"both\"]\nby = [2, 0, 0]"))});
+  EXPECT_NEAR(both["volume"], 1.0 / 3.0, 1e-15);
+  ASSERT_EQ(both["findings"].size(), 1U) << both;
+  EXPECT_EQ(both["findings"][0]["code"], "part_remark");
+  EXPECT_THAT(
+      both["findings"][0]["message"].get<std::string>(),
+      testing::AllOf(testing::HasSubstr("part 'both': faces 3 and 4 cover each other"), testing::HasSubstr("at (0, ")));
+}
+
 TEST_F(SolidScenario, ASectionIsADomainThatIsMeshed) {
   // Two arms, one of which a bore passes, in two materials.
   const std::string text =

@@ -51,7 +51,7 @@ class BlockCommands : public dobra::test::CommandLine {
 
 TEST_F(BlockCommands, RefusalsSayWhatIsMissing) {
   EXPECT_EQ(told({"block", lines()}, 3)["findings"][0]["code"], "missing_key");
-  EXPECT_EQ(call({"block", lines(), "--along-strike", "-3"}).code, 3);
+  EXPECT_EQ(call({"block", lines(), "--along-strike", "-3"}).code, 2);
   EXPECT_EQ(call({"block", lines(), "--along-strike", "3", "--out", "block.txt"}).code, 2);
   EXPECT_EQ(call({"block", path("none.csv"), "--along-strike", "3"}).code, 3);
   const std::string several =

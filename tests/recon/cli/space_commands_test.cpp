@@ -214,9 +214,9 @@ TEST_F(SpaceCommands, ASinglePieceATopographyAndHorizonsThatCrossAreTold) {
 TEST_F(SpaceCommands, WhatCannotBeCutSaysWhy) {
   const std::string file = row(slope);
   refuses({"cut", file, "--trace", "0,5000,1000,5000"}, 3, {"no horizon lies under the trace"});
-  refuses({"cut", file, "--trace", "0,100"}, 3, {"trace: 2 numbers"});
+  refuses({"cut", file, "--trace", "0,100"}, 2, {"--trace: 2 numbers"});
   refuses({"cut", file, "--trace", "0,100,west,5"}, 2, {"--trace"});
-  refuses({"cut", file, "--trace", "5,5,5,5"}, 3, {"in one place"});
+  refuses({"cut", file, "--trace", "5,5,5,5"}, 2, {"--trace", "in one place"});
   const std::string one = put("one.toml",
                               "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"A\"\npoints = [[0, 0], [9, "
                               "1]]\n");

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "shared/solid/section.h"
 #include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
@@ -123,6 +125,71 @@ TEST(FromMesh, AcceptsCavitiesPartsThatTouchAndSeamsBetweenUnequalEdges) {
   }
   soup.faces.push_back({0, 1, 1});
   EXPECT_EQ(solid(soup).counts(), (Counts{8, 12, 6, 0, 1, 0}));
+}
+
+// Faces 0 to 11 are two boxes' in the order x-y planes, x-z planes, y-z planes; 5 is the first one's at its greater x,
+// 10 the second one's at its lesser.
+TEST(TakeMesh, TellsTheWallBetweenTwoBoxesOfOneFile) {
+  const auto taken = take(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}))).value();
+  EXPECT_EQ(volume(taken.solid), 2.0);
+  EXPECT_EQ(taken.solid.counts(), (Counts{8, 12, 6, 0, 1, 0}));
+  ASSERT_EQ(taken.opposite.size(), 1U);
+  EXPECT_EQ(taken.opposite[0].face, 5U);
+  EXPECT_EQ(taken.opposite[0].against, 10U);
+  EXPECT_EQ(taken.opposite[0].pairs, 1U);
+  EXPECT_TRUE(taken.opposite[0].inside);
+  EXPECT_EQ(taken.opposite[0].at.x, 1.0);
+  // A part of a face counts as well, and the place is in it.
+  const auto part = take(joined(box({0, 0, 0}, {1, 4, 4}), box({1, 2, 3}, {2, 3, 4}))).value();
+  ASSERT_EQ(part.opposite.size(), 1U);
+  EXPECT_EQ(part.opposite[0].at.x, 1.0);
+  EXPECT_GE(part.opposite[0].at.y, 2.0);
+  EXPECT_LE(part.opposite[0].at.y, 3.0);
+  EXPECT_GE(part.opposite[0].at.z, 3.0);
+  EXPECT_THAT(message(part.opposite[0]),
+              testing::AllOf(testing::HasSubstr("faces 5 and 10"), testing::HasSubstr("wall")));
+}
+
+TEST(TakeMesh, TellsASheetWithoutThicknessOutsideWithinAndOnABox) {
+  const auto sheet = [](double x, double z) {
+    PolygonMesh mesh;
+    mesh.points = {{x, 1, z}, {x + 1, 1, z}, {x + 1, 2, z}, {x, 2, z}, {x + 2, 1, z}, {x + 2, 2, z}};
+    mesh.faces = {{0, 1, 2, 3}, {3, 2, 1, 0}, {1, 4, 5, 2}, {2, 5, 4, 1}};
+    return mesh;
+  };
+  struct Case {
+    double x, z;
+    bool inside;
+    const char* word;
+  };
+  for (const Case& c : {Case{5, 1, false, "sheet"}, Case{1, 1, true, "wall"}, Case{1, 4, false, "sheet"}}) {
+    const auto taken = take(joined(box({0, 0, 0}, {4, 4, 4}), sheet(c.x, c.z))).value();
+    EXPECT_EQ(volume(taken.solid), 64.0);
+    EXPECT_EQ(taken.solid.counts(), (Counts{8, 12, 6, 0, 1, 0}));
+    ASSERT_EQ(taken.opposite.size(), 1U) << c.x;  // both halves hang together
+    EXPECT_EQ(taken.opposite[0].pairs, 2U);
+    EXPECT_EQ(taken.opposite[0].inside, c.inside);
+    EXPECT_EQ(taken.opposite[0].at.z, c.z);
+    EXPECT_GE(taken.opposite[0].at.x, c.x);
+    EXPECT_THAT(message(taken.opposite[0]), testing::HasSubstr(c.word));
+  }
+  // Apart they are two, in the order of their faces.
+  const auto apart = take(joined(joined(box({0, 0, 0}, {4, 4, 4}), sheet(9, 0)), sheet(5, 0))).value();
+  ASSERT_EQ(apart.opposite.size(), 2U);
+  EXPECT_EQ(apart.opposite[0].face, 6U);
+  EXPECT_EQ(apart.opposite[1].face, 10U);
+}
+
+TEST(TakeMesh, SaysNothingWhereNoFacesCoverEachOther) {
+  const PolygonMesh cube = box({0, 0, 0}, {4, 4, 4});
+  for (const PolygonMesh& mesh :
+       {cube, joined(cube, turned_over(box({1, 1, 1}, {2, 2, 2}))), joined(cube, box({4, 4, 4}, {5, 5, 5})),
+        joined(cube, box({4, 4, 0}, {5, 5, 4})), joined(cube, box({4.5, 0, 0}, {5, 4, 4})),
+        sphere({0, 0, 0}, 1.0, 6, 9),
+        // Thin, but not without thickness; and planes that faces of one box have in common without a common part.
+        box({0, 0, 0}, {1, 1, std::numeric_limits<double>::denorm_min()}), joined(cube, box({4, 4, 0}, {8, 8, 4}))}) {
+    EXPECT_THAT(take(mesh).value().opposite, testing::IsEmpty());
+  }
 }
 
 TEST(FromMesh, CutsWarpedFacesIntoTriangles) {

@@ -271,6 +271,92 @@ TEST(Loft, ProfilesThatDoNotFollowEachOtherAreRefused) {
   EXPECT_THAT(loft(std::vector{square(1, 0), hollow}).error().message, HasSubstr("holes"));
 }
 
+/// Rock 'a' from x = 0 to 1 and rock 'b' to x = 4 beside an upright fault; z from 0 to 3.
+LoftSection beside(double north) {
+  return {upright(north),
+          {{{{{1, 3}, {0, 3}, {0, 0}, {1, 0}}, false}, "border", "a", ""},
+           {{{{1, 0}, {4, 0}, {4, 3}, {1, 3}}, false}, "border", "b", ""},
+           {{{{1, 0}, {1, 3}}, false}, "fault", "a", "b"}}};
+}
+/// As if the trace had been drawn from its other end; the frame is left as it is.
+LoftSection digitised_back(LoftSection section) {
+  for (LoftLine& line : section.lines) {
+    for (Point& p : line.line.points) p.x = 4.0 - p.x;
+    std::swap(line.left, line.right);
+  }
+  return section;
+}
+
+TEST(LoftSections, ASectionThatIsTurnedAgainstTheOtherIsRefusedWithThePlace) {
+  // One section digitised the other way: as maps the two agree, and 'a' would cross 'b'.
+  for (const bool second : {false, true}) {
+    const LoftSection there = digitised_back(beside(second ? 5 : 0));
+    const auto turned = loft_sections(second ? std::vector{beside(0), there} : std::vector{there, beside(5)});
+    ASSERT_FALSE(turned);
+    EXPECT_EQ(turned.error().code, ErrorCode::InvalidOption);
+    EXPECT_THAT(turned.error().message, HasSubstr("section 2: its lines are turned against those of section 1"));
+    EXPECT_EQ(turned.error().place->y, 5.0);
+  }
+  // Seen from the other side as well it is the same section.
+  LoftSection seen_back = digitised_back(beside(5));
+  seen_back.frame = {{4, 5, 0}, {-1, 0, 0}, {0, 0, 1}};
+  const auto looks_back = loft_sections(std::vector{beside(0), seen_back});
+  ASSERT_FALSE(looks_back);
+  EXPECT_THAT(looks_back.error().message, HasSubstr("from the other side"));
+  EXPECT_EQ(looks_back.error().place->y, 5.0);
+  // Upside down.
+  LoftSection upside_down = beside(5);
+  upside_down.frame = {{4, 5, 3}, {-1, 0, 0}, {0, 0, -1}};
+  EXPECT_THAT(loft_sections(std::vector{beside(0), upside_down}).error().message, HasSubstr("turned against"));
+  // The third alone.
+  const auto third = loft_sections(std::vector{beside(0), beside(2), digitised_back(beside(5))});
+  ASSERT_FALSE(third);
+  EXPECT_THAT(third.error().message, HasSubstr("section 3: its lines are turned against those of section 2"));
+}
+
+TEST(LoftSections, SectionsThatAreDigitisedTheSameWayAreJoinedWhicheverItIs) {
+  for (const bool back : {false, true}) {
+    const auto section = [&](double north) { return back ? digitised_back(beside(north)) : beside(north); };
+    const auto parts = loft_sections(std::vector{section(0), section(5)});
+    ASSERT_TRUE(parts) << parts.error().message;
+    const auto solids = solids_of(*parts);
+    ASSERT_EQ(solids.size(), 2U);
+    EXPECT_NEAR(volume(solids[0]), 15.0, 1e-12);
+    EXPECT_NEAR(volume(solids[1]), 45.0, 1e-12);
+  }
+  // Beds that lie on each other are the same from either end, with the other dip: the volume below by Simpson's rule.
+  const auto parts = loft_sections(std::vector{beds(0, {{0, 1}, {4, 2}}), digitised_back(beds(6, {{0, 1}, {4, 2}}))});
+  ASSERT_TRUE(parts) << parts.error().message;
+  const auto solids = solids_of(*parts);
+  EXPECT_NEAR(volume(solids[0]) + volume(solids[1]), 72.0, 1e-12);
+  // A section askew by 80 degrees is no section that is turned round.
+  LoftSection askew = beside(9);
+  askew.frame.along = {std::cos(1.4), std::sin(1.4), 0};
+  EXPECT_TRUE(loft_sections(std::vector{beside(0), askew}));
+}
+
+TEST(Loft, AProfileTurnedByHalfATurnIsRefusedWithThePlace) {
+  for (const int corners : {3, 4, 7}) {
+    std::vector<Point> outline;
+    for (const auto& [x, y] : shapes::regular(corners, 2)) outline.push_back({x, y});
+    const PlacedProfile low{{{outline, true}, {}}, identity};
+    PlacedProfile high{{{outline, true}, {}}, product(moved_by({5, 0, 3}), turned({}, {0, 0, 1}, 180))};
+    const auto folded = loft(std::vector{low, high});
+    ASSERT_FALSE(folded) << corners;
+    EXPECT_EQ(folded.error().code, ErrorCode::InvalidOption);
+    EXPECT_THAT(folded.error().message, HasSubstr("profile 2 is turned by half a turn against profile 1"));
+    EXPECT_EQ(folded.error().place->z, 3.0);
+    // As large, and turned by less.
+    high.place = product(moved_by({5, 0, 3}), turned({}, {0, 0, 1}, 30));
+    EXPECT_TRUE(loft(std::vector{low, high}));
+  }
+  // Another corner is the first: a square that looks the same.
+  PlacedProfile other = square(1, 2);
+  std::rotate(other.profile.outline.points.begin(), other.profile.outline.points.begin() + 2,
+              other.profile.outline.points.end());
+  EXPECT_FALSE(loft(std::vector{square(2, 0), other}));
+}
+
 TEST(Loft, AFrustumHasItsVolumeAndFaces) {
   const Solid frustum = solid_of(loft(std::vector{square(2, 0), square(1, 3)}).value()).value();
   EXPECT_THAT(violations(frustum), IsEmpty());
