@@ -209,6 +209,17 @@ class ShellMaker {
 
 std::array<double, 3> components(Vector3 v) { return {v.x, v.y, v.z}; }
 
+/// No force, and no support that moves.
+bool rests(const Shell& shell) {
+  const auto none = [](const auto& each) { return each.second == Vector3{}; };
+  const auto stays = [](const auto& each) {
+    return std::all_of(each.second.begin(), each.second.end(),
+                       [](const auto& value) { return !value || *value == 0.0; });
+  };
+  return std::all_of(shell.forces.begin(), shell.forces.end(), none) &&
+         std::all_of(shell.held.begin(), shell.held.end(), stays);
+}
+
 }  // namespace
 
 Result<Shell> make_shell(const SurfaceElements& elements, const ShellParams& params) {
@@ -287,6 +298,9 @@ Result<model::Model> add_shell(const model::Model& model, const ShellParams& par
   model::Model result = model;
   result.shell = std::make_shared<const Shell>(std::move(shell));
   result.shell_mesh = model.surface_meshes.back();
+  if (rests(*result.shell))
+    result.remarks.push_back(
+        "nothing loads the shell: its displacements are 0; give a `load`, or a support that moves");
   const auto& types = result.shell_mesh->elements.mesh.types;
   if (std::find(types.begin(), types.end(), mesh::ElementType::T3) != types.end()) {
     result.remarks.push_back(

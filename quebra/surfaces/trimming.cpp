@@ -169,8 +169,14 @@ Result<void> Trimming::add_cut(const TrimParams& trim, const std::optional<surf:
                                              {.name = trim.name}));
   } else {
     if (!tool) return lacking("`tool` is needed: the surface that cuts");
-    DOBRA_TRY(const auto common, surf::trim::common_edges(surface_, *tool, {.name = trim.name}));
-    for (const surf::trim::CommonEdge& edge : common) edges.push_back(edge.first);
+    const auto common = surf::trim::common_edges(surface_, *tool, {.name = trim.name});
+    if (!common) {
+      Error error = as_written(common.error());
+      if (!error.place) error.place = base::Place{};
+      error.place->item = fmt::format("surface '{}', trim '{}' by '{}'", name_, trim.name, trim.tool);
+      return error;
+    }
+    for (const surf::trim::CommonEdge& edge : *common) edges.push_back(edge.first);
   }
   if (edges.empty()) {
     return Error{ErrorCode::BadDomain,

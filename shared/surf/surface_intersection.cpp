@@ -142,9 +142,9 @@ class Search {
       if (level.size() > most || found_.contacts.size() > 5000) {
         const Point3 p = level.empty() ? found_.contacts.back().point.at : in_first_[level.front().a].hull.centre;
         return Error{ErrorCode::InvalidOption,
-                     fmt::format("the surfaces share more than curves, or nearly so, at ({:.6g}, {:.6g}, {:.6g})", p.x,
-                                 p.y, p.z),
-                     base::Place{.item = "surface", .x = p.x, .y = p.y}};
+                     "the surfaces share more than curves here, or nearly so: they lie on each other, or touch along "
+                     "a line; move or turn one",
+                     base::Place{.x = p.x, .y = p.y, .z = p.z}};
       }
     }
     return {};

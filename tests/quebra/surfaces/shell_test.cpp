@@ -181,6 +181,21 @@ TEST(Shell, DecksOfTrianglesOfFirstOrderComeWithARemark) {
   }
 }
 
+TEST(Shell, WhatNothingLoadsIsRemarked) {
+  model::Model model;
+  model.surface_meshes.push_back(std::make_shared<const model::SurfaceMeshed>(meshed(roof, 8.0, true).mesh));
+  ShellParams params = roof_params();
+  params.loads.clear();
+  const auto told = [&] {
+    const auto made = add_shell(model, params, {}, {});
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+    return made && !made->remarks.empty() && made->remarks[0].find("nothing loads") != std::string::npos;
+  };
+  EXPECT_TRUE(told());
+  params.supports[0].z = 0.01;  // it is lifted
+  EXPECT_FALSE(told());
+}
+
 /// Of the .inp, for the nodes of a set of sides: the rotations held, as strings of the numbers of the axes.
 std::set<std::string> turns_in(const std::string& inp, const Meshed& all, const std::string& set) {
   std::map<std::size_t, std::string> held;

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <optional>
+
+#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -80,6 +84,32 @@ TEST(Boolean, SOL_c_HasTheNumbersOfABlockWithAThroughAndABlindHole) {
   const Solid s =
       subtract({box_solid({0, 0, 0}, {6, 3, 3}), box_solid({1, 1, -1}, {2, 2, 4}), box_solid({4, 1, 1}, {5, 2, 3})});
   EXPECT_EQ(s.counts(), (Counts{24, 36, 15, 3, 1, 1}));
+}
+
+TEST(Boolean, RowsOfBoxesAreUnitedAlikeAlongEveryAxis) {
+  // Each overlaps the next by one; heights by turns 1, 2, 3. Whole numbers, so that sums are exact.
+  constexpr int count = 150;
+  const auto height = [](int i) { return 1.0 + i % 3; };
+  double expected = height(count - 1);  // slice by slice along the row
+  for (int i = 0; i < count; ++i) expected += height(i) + std::max(height(i), i > 0 ? height(i - 1) : 0.0);
+  std::optional<Counts> counts;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Solid> row;
+    for (int i = 0; i < count; ++i) {
+      const double at = 2.0 * i;
+      const auto corner = [&](double along, double across, double up) {
+        return axis == 0   ? Point3{along, across, up}
+               : axis == 1 ? Point3{up, along, across}
+                           : Point3{across, up, along};
+      };
+      row.push_back(box_solid(corner(at, 0, 0), corner(at + 3.0, 1, height(i))));
+    }
+    const Solid all = unite(row);
+    EXPECT_EQ(volume(all), expected) << axis;
+    EXPECT_THAT(violations(all), testing::IsEmpty());
+    if (!counts) counts = all.counts();
+    EXPECT_EQ(all.counts(), *counts) << axis;
+  }
 }
 
 }  // namespace

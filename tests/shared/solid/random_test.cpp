@@ -121,9 +121,35 @@ int side(const Place& a, const Place& b, const Place& c, const Place& d) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
+/// A face that is not plane, as rounding leaves turned ones, may be cut into triangles in several ways, all of which
+/// lie between its outermost corners: whether p does so too.
+bool between_ways_to_cut(const PolygonMesh& mesh, const std::vector<std::uint32_t>& face, const Place& place) {
+  if (face.size() == 3) return false;
+  const Point3 p{static_cast<double>(place.x) * step, static_cast<double>(place.y) * step,
+                 static_cast<double>(place.z) * step};
+  const Point3 origin = mesh.points[face[0]];
+  geom::Vector3 area{};
+  for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    area = area + cross(mesh.points[face[i]] - origin, mesh.points[face[i + 1]] - origin);
+  const geom::Vector3 normal = normalised(area);
+  double low = 0.0;
+  double high = 0.0;
+  for (const std::uint32_t corner : face) {
+    const double height = dot(normal, mesh.points[corner] - origin);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  const double height = dot(normal, p - origin);
+  return low <= height && height <= high;
+}
+
 /// Whether p is inside, by the parity of the triangles that a segment to a far point crosses; none if p is on one.
 /// Faces of more than three corners are fans from a corner: signed, so that it does not matter if they are not convex.
+/// None, too, where faces that are not plane leave a doubt.
 std::optional<bool> inside(const PolygonMesh& mesh, const Place& p, Random& random) {
+  for (const auto& face : mesh.faces) {
+    if (between_ways_to_cut(mesh, face, p)) return std::nullopt;
+  }
   for (int attempt = 0; attempt < 20; ++attempt) {
     const Place q{1000003L + whole(random, 0, 999), 900001L + whole(random, 0, 999), 800011L + whole(random, 0, 999)};
     int sum = 0;
