@@ -78,6 +78,10 @@ dobra::solid::shape::Shape shape_on_map(const Block& block, const BlockUnit& uni
   dobra::solid::shape::Shape shape = unit.shape;
   const dobra::io::lines::Trace& trace = block.trace;
   if (trace.x == 0.0 && trace.y == 0.0 && trace.north == 0.0 && trace.east == 1.0) return shape;
+  if (block.sheets.empty()) {  // lofted: its faces along strike are triangles
+    for (geom::Point3& p : shape.mesh.points) p = block.on_map(p);
+    return shape;
+  }
   // The same for all units: of the greatest coordinate that any point may have.
   double reach = std::abs(trace.x) + std::abs(trace.y) + block.length;
   for (const Sheet& sheet : block.sheets) {

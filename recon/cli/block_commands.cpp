@@ -183,7 +183,8 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
 }  // namespace
 
 dobra::cli::Command block_command() {
-  return {"block", "Extrude a section along strike to a block of solids, one a unit", [](CLI::App& app) -> Job {
+  return {"block", "Make a section, extruded along strike, or several, lofted, a block of solids, one a unit",
+          [](CLI::App& app) -> Job {
             const auto options = std::make_shared<BlockOptions>();
             std::vector<dobra::cli::OptionOf> keys = section_keys();
             keys.emplace_back("along_strike");

@@ -5,8 +5,12 @@
 #include <algorithm>
 
 #include "recon/block/cut_input.h"
+#include "recon/block/loft.h"
 #include "recon/input/section_input.h"
 #include "recon/model/model.h"
+#include "recon/space/placed.h"
+#include "shared/geom/place.h"
+#include "shared/io/lines/section_plane.h"
 #include "shared/scenario/runner.h"
 
 namespace recon::cli {
@@ -39,16 +43,25 @@ void copy_line_colours(const scenario::Table& from, scenario::Table& to) {
   }
 }
 
+/// @error BadValue: a trace with corners; those of block::loft()
+Result<block::Block> lofted(const space::PlacedSections& placed) {
+  std::vector<block::LoftedSection> sections;
+  for (const space::PlacedSection& each : placed.sections) {
+    const std::vector<geom::Point>& corners = each.trace.corners();
+    if (corners.size() > 2) {
+      return Error{ErrorCode::BadValue,
+                   "its trace bends here: a block is lofted between straight sections; leave it out, or divide it",
+                   geom::place_at(corners[1], fmt::format("section '{}'", each.name))};
+    }
+    DOBRA_TRY(const auto trace, dobra::io::lines::trace_between(corners[0], corners[1]));
+    sections.push_back({each.name, each.section, trace});
+  }
+  return block::loft(sections);
+}
+
 }  // namespace
 
 Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document document) {
-  if (document.input.find("section") != nullptr) {
-    return Error{
-        ErrorCode::BadSection,
-        "the document holds several sections in space; a block is made of one: cut it from the surfaces through "
-        "them ('recon cut'), or open the file of one",
-        base::Place{.file = document.file.string(), .item = "input"}};
-  }
   document.input.erase("cut");
   document.steps.clear();
   document.expects.clear();
@@ -57,17 +70,26 @@ Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document d
   const scenario::Run run = runner.run(document, session.progress());  // its remarks are findings of the block
   if (run.error) return *run.error;
   const auto& model = scenario::model_of<model::Model>(run.states.back());
+  std::vector<base::Finding> remarks;
+  for (const std::string& remark : model.remarks)
+    remarks.push_back({"section_remark", remark, base::Place{.file = document.file.string()}});
+  const auto with_remarks = [&](block::Block block) {
+    block.findings.insert(block.findings.begin(), remarks.begin(), remarks.end());
+    return block;
+  };
+  if (const auto* placed = model.findings.get<space::PlacedSections>()) {
+    remarks = placed->findings;
+    auto block = lofted(*placed);
+    if (!block) return base::located(block.error(), {.file = document.file.string()});
+    return with_remarks(std::move(*block));
+  }
   if (!(model.along_strike > 0.0)) {
     return Error{ErrorCode::MissingKey,
                  "how far does the section go on? Give --along-strike a length, or along_strike in its [input]",
                  base::Place{.file = document.file.string(), .item = "input"}};
   }
   DOBRA_TRY(block::Block block, block::extrude(model.section, {model.along_strike, model.trace}));
-  std::vector<base::Finding> remarks;
-  for (const std::string& remark : model.remarks)
-    remarks.push_back({"section_remark", remark, base::Place{.file = document.file.string()}});
-  block.findings.insert(block.findings.begin(), remarks.begin(), remarks.end());
-  return block;
+  return with_remarks(std::move(block));
 }
 
 Result<std::vector<double>> trace_of_cut(const scenario::Document& document) {

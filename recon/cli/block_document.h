@@ -11,8 +11,9 @@
 
 namespace recon::cli {
 
-/// The block of the section that a document's input describes; `cut` of the input is passed over.
-/// @error those of reading and of extrude(); MissingKey: no length along strike.
+/// The block of the section that a document's input describes, extruded, or of its several sections in space, lofted;
+/// `cut` of the input is passed over.
+/// @error those of reading, of extrude() and of loft(); MissingKey: no length along strike; BadValue: a bent trace.
 base::Result<block::Block> block_of(dobra::cli::Session& session, dobra::scenario::Document document);
 
 /// The four numbers of `cut`, in metres. @error BadUsage: none, or not four
