@@ -42,9 +42,7 @@ Point middle_of(const LoftedSection& placed) {
 }
 
 /// How far a place is along strike as a section is looked at.
-double along_strike(const Trace& from, Point p) {
-  return (p.y - from.y) * from.east - (p.x - from.x) * from.north;
-}
+double along_strike(const Trace& from, Point p) { return (p.y - from.y) * from.east - (p.x - from.x) * from.north; }
 
 /// The sections from the one behind which all others stand.
 std::vector<const LoftedSection*> in_order(std::span<const LoftedSection> sections) {
@@ -146,8 +144,7 @@ Result<Block> loft(std::span<const LoftedSection> sections) {
     }
     lines.push_back(lines_of(*map, each->trace, block));
     for (const LoftLine& line : lines.back().lines) {
-      for (const Point p : line.line.points)
-        block.length = std::max(block.length, lines.back().frame.in_space(p).y);
+      for (const Point p : line.line.points) block.length = std::max(block.length, lines.back().frame.in_space(p).y);
     }
     maps.push_back(std::move(*map));
   }

@@ -49,6 +49,20 @@ class BlockCommands : public dobra::test::CommandLine {
   }
 };
 
+TEST_F(BlockCommands, SeveralSectionsAreLofted) {
+  lines();
+  const std::string several =
+      put("several.toml",
+          "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 0, "
+          "100, 0]\n[[input.section]]\nname = \"far\"\nfile = \"section.csv\"\ntrace = [0, 9, 100, 9]\n");
+  for (const char* const command : {"block", "solid"}) {
+    const Json made = told({command, several, "--out", path("block.obj")});
+    EXPECT_NEAR(made["volume"].get<double>(), 2000.0 * 9, 1e-9) << command;
+    EXPECT_TRUE(std::filesystem::exists(path("block.obj"))) << command;
+  }
+  EXPECT_NEAR(told({"block", several})["along_strike"].get<double>(), 9.0, 1e-12);
+}
+
 TEST_F(BlockCommands, RefusalsSayWhatIsMissing) {
   EXPECT_EQ(told({"block", lines()}, 3)["findings"][0]["code"], "missing_key");
   EXPECT_EQ(call({"block", lines(), "--along-strike", "-3"}).code, 2);
@@ -57,9 +71,13 @@ TEST_F(BlockCommands, RefusalsSayWhatIsMissing) {
   const std::string several =
       put("several.toml",
           "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 0, "
-          "100, 0]\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 9, 100, 9]\n");
-  EXPECT_THAT(call({"block", several, "--along-strike", "5"}).err, HasSubstr("several sections in space"));
-  EXPECT_THAT(call({"solid", several}).err, HasSubstr("several sections in space"));
+          "100, 0]\n[[input.section]]\nname = \"far\"\nfile = \"section.csv\"\ntrace = [0, 9, 100, 9]\n");
+  EXPECT_THAT(call({"block", several, "--along-strike", "5"}).err, HasSubstr("each with a trace of its own"));
+  const std::string bent =
+      put("bent.toml",
+          "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 0, "
+          "100, 0]\n[[input.section]]\nname = \"far\"\nfile = \"section.csv\"\ntrace = [0, 9, 50, 9, 100, 19]\n");
+  EXPECT_THAT(call({"block", bent}).err, testing::AllOf(HasSubstr("bends here"), HasSubstr("(at 50, 9")));
   EXPECT_EQ(call({"cut", lines(), "--trace", "0,0,1,1"}).code, 2);
   EXPECT_EQ(call({"cut", scenario(), "--trace", "0,0,1"}).code, 2);
   EXPECT_EQ(call({"cut", scenario()}).code, 2);
