@@ -94,7 +94,8 @@ TEST(LoftedBlock, EqualSectionsMakeWhatASectionMakesAlongStrike) {
   EXPECT_EQ(block.length, 64.0);
 }
 
-/// Widths w and thicknesses t change evenly from 1 to 2: the integral of w t is L (2 w1 t1 + w1 t2 + w2 t1 + 2 w2 t2)/6.
+/// Widths w and thicknesses t change evenly from 1 to 2: the integral of w t is L (2 w1 t1 + w1 t2 + w2 t1 + 2 w2
+/// t2)/6.
 double wedge(double length, double w1, double t1, double w2, double t2) {
   return length * (2 * w1 * t1 + w1 * t2 + w2 * t1 + 2 * w2 * t2) / 6.0;
 }
@@ -119,8 +120,11 @@ TEST(LoftedBlock, OrderAndEndsOfSectionsDoNotMatter) {
   const LoftedSection b = beside(50, level(120, {5, -8, -20}), "b"), c = beside(90, level(90, {9, 0, -20}), "c");
   const double first = wedge(50, 100, 10, 120, 13) + wedge(40, 120, 13, 90, 9);
   const double second = wedge(50, 100, 20, 120, 12) + wedge(40, 120, 12, 90, 20);
-  for (const auto& sections : std::vector<std::vector<LoftedSection>>{
-           {a, b, c}, {c, a, b}, {a, turned_round(b), c}, {turned_round(a), b, c}, {turned_round(c), turned_round(b), a}}) {
+  for (const auto& sections : std::vector<std::vector<LoftedSection>>{{a, b, c},
+                                                                      {c, a, b},
+                                                                      {a, turned_round(b), c},
+                                                                      {turned_round(a), b, c},
+                                                                      {turned_round(c), turned_round(b), a}}) {
     const Block block = lofted(sections);
     ASSERT_EQ(block.units.size(), 2U);
     EXPECT_NEAR(block.units[0].volume, first, 1e-8);
