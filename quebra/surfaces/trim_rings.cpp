@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "shared/surf/trim/finding.h"
 
@@ -32,7 +33,10 @@ class RingMaker {
       if (used_[i] != 0) continue;
       used_[i] = 1;
       TrimRing ring{trim_.role, trim_.name, pieces_[i]};
-      while (!comes_back(ring.places) && goes_on(ring.places)) {
+      int tries = most_tries;
+      if (!closes(ring.places, tries)) {
+        while (!comes_back(ring.places) && goes_on(ring.places)) {
+        }
       }
       DOBRA_TRY_VOID(has_inside(ring.places));
       rings.push_back(std::move(ring));
@@ -51,17 +55,46 @@ class RingMaker {
   [[nodiscard]] bool meet(Point a, Point b) const { return length(less_periods(b - a)) <= near_; }
   [[nodiscard]] bool comes_back(const std::vector<Point>& way) const { return meet(way.back(), way.front()); }
 
-  /// Adds a piece that has an end where the way ends or begins, in either sense.
+  /// The piece in the sense in which it goes on from a place, moved there; none where it does not.
+  [[nodiscard]] std::optional<std::vector<Point>> from(Point at, std::size_t number) const {
+    std::vector<Point> piece = pieces_[number];
+    if (meet(at, piece.back()) && !meet(at, piece.front())) std::reverse(piece.begin(), piece.end());
+    if (!meet(at, piece.front())) return std::nullopt;
+    const Vector by = at - piece.front();
+    for (Point& p : piece) p = p + by;
+    return piece;
+  }
+
+  /// Adds pieces until the way is a ring that does not go round the surface. Where curves cross in a touching several
+  /// go on, and each is tried.
+  bool closes(std::vector<Point>& way, int& tries) {
+    if (comes_back(way)) return distance(way.front(), way.back()) <= near_;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (used_[i] != 0) continue;
+      const auto piece = from(way.back(), i);
+      if (!piece) continue;
+      if (--tries < 0) return false;
+      const std::size_t before = way.size();
+      way.insert(way.end(), piece->begin(), piece->end());
+      used_[i] = 1;
+      if (closes(way, tries)) return true;
+      way.resize(before);
+      used_[i] = 0;
+    }
+    return false;
+  }
+
+  /// Adds a piece that goes on from the end of the way, or from its beginning.
   bool goes_on(std::vector<Point>& way) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (used_[i] != 0) continue;
-      std::vector<Point> piece = pieces_[i];
-      if (meet(way.back(), piece.back()) || meet(way.front(), piece.front())) std::reverse(piece.begin(), piece.end());
-      const bool after = meet(way.back(), piece.front());
-      if (!after && !meet(piece.back(), way.front())) continue;
-      const Vector by = after ? way.back() - piece.front() : way.front() - piece.back();
-      for (Point& p : piece) p = p + by;
-      way.insert(after ? way.end() : way.begin(), piece.begin(), piece.end());
+      if (const auto after = from(way.back(), i)) {
+        way.insert(way.end(), after->begin(), after->end());
+      } else if (const auto before = from(way.front(), i)) {
+        way.insert(way.begin(), before->rbegin(), before->rend());
+      } else {
+        continue;
+      }
       used_[i] = 1;
       return true;
     }
@@ -104,6 +137,7 @@ class RingMaker {
   std::span<const std::vector<Point>> pieces_;
   std::vector<std::uint8_t> used_;
   double near_ = 0.0;
+  static constexpr int most_tries = 1000;
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <optional>
 
 #include "quebra/surfaces/trim_doubts.h"
@@ -191,10 +193,16 @@ Result<void> Trimming::add_cut(const TrimParams& trim, const std::optional<surf:
 Result<void> Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
   std::vector<std::vector<Point>> ways;
   const double near = 1e-9 * std::max(surface_.chart().width(), surface_.chart().height());
+  const auto branches = [&](Point p) {
+    const auto ends = [&](const ChartEdge& e) {
+      return (distance(e.start(), p) <= near ? 1 : 0) + (distance(e.end(), p) <= near ? 1 : 0);
+    };
+    return std::transform_reduce(edges.begin(), edges.end(), 0, std::plus<>(), ends) > 2;
+  };
   for (std::size_t i = 0; i < edges.size();) {
     Drawn drawn{trim.role, trim.name, false, {edges[i++]}, crack_options(trim)};
     while (i < edges.size() && distance(drawn.edges.back().end(), edges[i].start()) <= near &&
-           distance(drawn.edges.back().end(), drawn.edges.front().start()) > near)
+           !branches(edges[i].start()) && distance(drawn.edges.back().end(), drawn.edges.front().start()) > near)
       drawn.edges.push_back(edges[i++]);
     drawn.closed = distance(drawn.edges.back().end(), drawn.edges.front().start()) <= near;
     if (is_loop(trim.role)) ways.push_back(samples(drawn.edges));
