@@ -476,6 +476,26 @@ class Search {
       chains.push_back(std::move(chain));
     }
     const double same = 1e-9 * size_;
+    for (const SharedContact& contact : found_.contacts) {
+      if (contact.kind != SharedContact::Kind::Crossing) continue;
+      for (std::size_t i = 0; i < chains.size(); ++i) {
+        const std::size_t k = passes(chains[i].points, contact);
+        if (k == 0) continue;
+        auto& points = chains[i].points;
+        const auto at = points.begin() + static_cast<std::ptrdiff_t>(k);
+        std::vector<SharedPoint> rest(at, points.end());
+        points.erase(at, points.end());
+        points.push_back(contact.point);
+        rest.insert(rest.begin(), contact.point);
+        if (chains[i].closed) {  // it begins and ends in the contact
+          rest.insert(rest.end(), points.begin() + 1, points.end());
+          points = std::move(rest);
+          chains[i].closed = false;
+          continue;
+        }
+        chains.push_back({std::move(rest), false});
+      }
+    }
     for (Chain& chain : chains) {
       end_in_contacts(chain.points);
       std::reverse(chain.points.begin(), chain.points.end());
@@ -530,17 +550,38 @@ class Search {
     });
   }
 
+  /// The number of the point before which a curve passes a contact, not in one of its ends; 0 where it does not.
+  [[nodiscard]] std::size_t passes(const std::vector<SharedPoint>& points, const SharedContact& contact) const {
+    constexpr double beside = 1e-3;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const SharedPoint &p = points[k - 1], &q = points[k];
+      const Vector3 chord = q.at - p.at;
+      const double square = dot(chord, chord);
+      const double part = square > 0.0 ? dot(contact.point.at - p.at, chord) / square : -1.0;
+      if (!(part >= 0.0 && part < 1.0)) continue;
+      const SharedPoint there{p.first + part * (q.first - p.first), p.second + part * (q.second - p.second),
+                              p.at + part * chord};
+      if (apart(there, contact.point) > beside) continue;
+      const bool at_first = k == 1 && apart(p, contact.point) <= near_contact;
+      const bool at_last = k + 1 == points.size() && apart(q, contact.point) <= near_contact;
+      return at_first || at_last ? 0 : k;
+    }
+    return 0;
+  }
+
+  /// By parts of the charts.
+  [[nodiscard]] double apart(const SharedPoint& p, const SharedPoint& q) const {
+    const Four x(p.first.x - q.first.x, p.first.y - q.first.y, p.second.x - q.second.x, p.second.y - q.second.y);
+    return x.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
+  }
+  static constexpr double near_contact = 1e-5;
+
   /// Where the surfaces touch at the end of a curve, the end is known to the root of the rounding only, the contact
   /// much better.
   void end_in_contacts(std::vector<SharedPoint>& points) const {
-    constexpr double near = 1e-5;
-    const auto apart = [&](const SharedPoint& p, const SharedPoint& q) {
-      const Four x(p.first.x - q.first.x, p.first.y - q.first.y, p.second.x - q.second.x, p.second.y - q.second.y);
-      return x.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
-    };
     for (const SharedContact& contact : found_.contacts) {
-      if (contact.kind != SharedContact::Kind::Crossing || apart(points.back(), contact.point) > near) continue;
-      while (points.size() > 2 && apart(points[points.size() - 2], contact.point) <= near) points.pop_back();
+      if (contact.kind != SharedContact::Kind::Crossing || apart(points.back(), contact.point) > near_contact) continue;
+      while (points.size() > 2 && apart(points[points.size() - 2], contact.point) <= near_contact) points.pop_back();
       points.back() = contact.point;
       return;
     }
