@@ -108,8 +108,9 @@ struct LoopPart {
   const ChartEdge* edge = nullptr;
   double from = 0.0, to = 0.0;
   Measured area;
+  double along = 0.0;  ///< The error that halving lowers: the rest is in the strips, whose ends they are.
   int depth = 0;
-  bool operator<(const LoopPart& other) const { return area.error < other.area.error; }
+  bool operator<(const LoopPart& other) const { return along < other.along; }
 };
 
 void measure_part(const Strip& strip, LoopPart& piece) {
@@ -125,7 +126,8 @@ void measure_part(const Strip& strip, LoopPart& piece) {
     gauss += rule.gauss[i] * slope * to_here.value;
     inner += rule.weight[i] * std::abs(slope) * to_here.error;
   }
-  piece.area = {half * kronrod, std::abs(half) * (std::abs(kronrod - gauss) + inner)};
+  piece.along = std::abs(half * (kronrod - gauss));
+  piece.area = {half * kronrod, piece.along + std::abs(half) * inner};
 }
 
 /// Parameters at which the edge has a break, or passes one of the surface; ends included, in the edge's direction.
@@ -189,7 +191,7 @@ Measured area(const TrimmedSurface& face, double tolerance) {
   for (const ChartLoop& loop : face.loops) {
     for (const ChartEdge& edge : loop.edges) {
       const std::vector<double> cuts = part_cuts_of(face.surface, edge);
-      for (std::size_t i = 1; i < cuts.size(); ++i) parts.push_back({&edge, cuts[i - 1], cuts[i], {}, 0});
+      for (std::size_t i = 1; i < cuts.size(); ++i) parts.push_back({&edge, cuts[i - 1], cuts[i], {}, 0.0, 0});
     }
   }
   // A grid of many pieces has small ones: few places do on each.
@@ -197,8 +199,10 @@ Measured area(const TrimmedSurface& face, double tolerance) {
   const Strip strip(face.surface, kronrod_rule(0.5 * pairs, 0.5 * most_in_strips), 0.1 * tolerance, most_in_strips);
   std::priority_queue<LoopPart> pieces;
   Measured sum;
+  double along = 0.0;
   const auto add = [&](LoopPart piece) {
     measure_part(strip, piece);
+    along += piece.along;
     sum.value += piece.area.value;
     sum.error += piece.area.error;
     pieces.push(piece);
@@ -209,15 +213,16 @@ Measured area(const TrimmedSurface& face, double tolerance) {
   constexpr int deepest = 40;
   const double least = thin * area_of_loop_box(face);
   while (!pieces.empty() && pieces.size() < most && strip.seen() < most_places &&
-         sum.error > tolerance * std::max(std::abs(sum.value), least)) {
+         along > tolerance * std::max(std::abs(sum.value), least)) {
     const LoopPart worst = pieces.top();
     pieces.pop();
     if (worst.depth == deepest) continue;  // its error stays in the sum
     sum.value -= worst.area.value;
     sum.error -= worst.area.error;
+    along -= worst.along;
     const double middle = 0.5 * (worst.from + worst.to);
-    add({worst.edge, worst.from, middle, {}, worst.depth + 1});
-    add({worst.edge, middle, worst.to, {}, worst.depth + 1});
+    add({worst.edge, worst.from, middle, {}, 0.0, worst.depth + 1});
+    add({worst.edge, middle, worst.to, {}, 0.0, worst.depth + 1});
   }
   return sum;
 }

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "shared/surf/measure.h"
 
 namespace dobra::surf::trim {
 
@@ -57,15 +60,22 @@ class Piece {
   void settle_poles();
   void hold_borders();
   [[nodiscard]] std::array<Seven, 4> guess(std::size_t k, double t) const;
-  [[nodiscard]] Four inside(Four x, std::size_t k) const;
+  [[nodiscard]] Four inside(Four x, std::size_t k, const Four& wanted) const;
 
   Surface first_, second_;
   double size_, enough_;
   Four scale_, low_, high_;
   std::vector<double> t_;
   std::vector<Seven> value_, slope_, bend_;
-  std::vector<std::array<bool, 4>> held_;  ///< One an interval: which parameters stay on a border.
+  std::vector<std::array<bool, 4>> held_;     ///< One an interval: which parameters stay on a border.
+  std::vector<std::array<bool, 4>> guessed_;  ///< Which are those of the guess: along a pole, beside it.
 };
+
+/// So far from a pole, of the smaller surface's size, the parameter along it is known well: the rest of the way is
+/// guessed from there. Beside the pole the surfaces hold it to rounding divided by the distance.
+constexpr double beside_pole = 1e-3;
+/// An end so near to a pole may be the pole, of the smaller surface's size.
+constexpr double taken_as_pole = 1e-5;
 
 Piece::Piece(const Surface& first, const Surface& second, std::span<const SharedPoint> chain)
     : first_(first), second_(second), size_(std::min(first.size(), second.size())) {
@@ -76,6 +86,7 @@ Piece::Piece(const Surface& first, const Surface& second, std::span<const Shared
   scale_ = high_ - low_;
   place_knots(chain);
   differentiate(chain);
+  guessed_.assign(t_.size() - 1, {});
   settle_poles();
   held_.assign(t_.size() - 1, {});
   hold_borders();
@@ -155,7 +166,8 @@ void Piece::differentiate(std::span<const SharedPoint> chain) {
   }
 }
 
-/// In a pole the parameter along its side is what the curve comes with, by the nearest point of the chain.
+/// In a pole the parameter along its side is what the curve comes with, by the nearest point of the chain. It is
+/// guessed between both if they are near.
 void Piece::settle_poles() {
   const std::size_t last = t_.size() - 1;
   for (const std::size_t end : {std::size_t{0}, last}) {
@@ -172,6 +184,7 @@ void Piece::settle_poles() {
       value_[end][3 + i] = std::clamp(value_[next][3 + i] + h * (slope + 0.5 * h * bend), low_[i], high_[i]);
       slope_[end][3 + i] = slope + h * bend;
       bend_[end][3 + i] = bend;
+      guessed_[std::min(end, next)][static_cast<std::size_t>(i)] = std::abs(h) < 2.0 * beside_pole * size_;
     }
   }
 }
@@ -203,7 +216,10 @@ std::array<Seven, 4> Piece::guess(std::size_t k, double t) const {
           Seven((6.0 * c3 + s * (24.0 * c4 + s * 60.0 * c5)) / (h * h * h))};
 }
 
-Four Piece::inside(Four x, std::size_t k) const {
+Four Piece::inside(Four x, std::size_t k, const Four& wanted) const {
+  for (int i = 0; i < 4; ++i) {
+    if (guessed_[k][static_cast<std::size_t>(i)]) x[i] = wanted[i];
+  }
   x = x.cwiseMax(low_).cwiseMin(high_);
   for (int i = 0; i < 4; ++i) {
     if (held_[k][static_cast<std::size_t>(i)]) x[i] = value_[k][3 + i];
@@ -218,7 +234,8 @@ Piece::Found Piece::at(double t) const {
   const Vector3 way = space(g1);
   const Point3 wanted{g[0], g[1], g[2]};
   Found f;
-  f.x = inside(Four(g.tail<4>()), k);
+  const Four guessed = g.tail<4>();
+  f.x = inside(guessed, k, guessed);
   const bool at_knot = t == t_[k] || t == t_[k + 1];
   if (at_knot) f.x = value_[t == t_[k] ? k : k + 1].tail<4>();
   double best = 1e300;
@@ -237,17 +254,24 @@ Piece::Found Piece::at(double t) const {
     }
     best = off.norm(), best_x = f.x;
     if (best <= enough_) break;
-    f.x = inside(f.x - solve(matrix(f.a, f.b, way), off), k);
+    f.x = inside(f.x - solve(matrix(f.a, f.b, way), off), k, guessed);
   }
   // What is held to nought: S1 - S2, and (S1 - g) . g'.
   const Eigen::Matrix4d m = matrix(f.a, f.b, way);
   const Vector3 from_guess = f.a.at - wanted, turning = space(g2);
   f.first = solve(m, Four(0, 0, 0, dot(way, way) - dot(from_guess, turning)));
+  const auto take_guessed = [&](Four& derivative, const Seven& of_guess) {
+    for (int i = 0; i < 4; ++i) {
+      if (guessed_[k][static_cast<std::size_t>(i)]) derivative[i] = of_guess[3 + i];
+    }
+  };
+  take_guessed(f.first, g1);
   const Vector3 qa = square(f.a, f.first[0], f.first[1]), qb = square(f.b, f.first[2], f.first[3]);
   const Vector3 moved = f.first[0] * f.a.u + f.first[1] * f.a.v;
   Four right;
   right << eigen(qb - qa), dot(turning - qa, way) - 2.0 * dot(moved - way, turning) - dot(from_guess, space(g3));
   f.second = solve(m, right);
+  take_guessed(f.second, g2);
   if (geom::length(cross(unit_or_nought(cross(f.a.u, f.a.v)), unit_or_nought(cross(f.b.u, f.b.v)))) < 1e-6) {
     f.first = g1.tail<4>();  // no direction of its own there
     f.second = g2.tail<4>();
@@ -304,14 +328,58 @@ base::Result<void> check(const Piece& piece, double residual) {
   return {};
 }
 
-/// Takes away the points beside a pole, whose parameter along its side is hardly known.
+/// Pole of a surface beside a point: where its side is one point in space, nearer than `near`.
+std::optional<Point> pole_beside(const Surface& surface, Point uv, Point3 at, double near) {
+  const geom::Box& chart = surface.chart();
+  for (const auto& [side, pole] :
+       {std::pair{Side::Bottom, Point{uv.x, chart.low.y}}, std::pair{Side::Top, Point{uv.x, chart.high.y}},
+        std::pair{Side::Left, Point{chart.low.x, uv.y}}, std::pair{Side::Right, Point{chart.high.x, uv.y}}}) {
+    if (surface.collapsed(side) && geom::distance(surface.at(pole), at) <= near) return pole;
+  }
+  return std::nullopt;
+}
+
+/// An end hardly beside a pole is in it, if the pole is on both surfaces: a curve that comes along the seam meets the
+/// seam at the root of the rounding.
+void end_in_poles(const Surface& first, const Surface& second, std::vector<SharedPoint>& chain) {
+  const double size = std::min(first.size(), second.size()), near = taken_as_pole * size, enough = 1e-12 * size;
+  for (SharedPoint* const end : {&chain.front(), &chain.back()}) {
+    if (first.in_pole(end->first) || second.in_pole(end->second)) continue;
+    const auto settle = [&](const Surface& of, Point& uv, const Surface& other, Point& other_uv) {
+      const std::optional<Point> pole = pole_beside(of, uv, end->at, near);
+      if (!pole) return;
+      const Point3 at = of.at(*pole);
+      const Jet jet = other.jet(other_uv);
+      const Metric m = metric(jet);
+      const Vector3 way = at - jet.at;
+      const double det = m.e * m.g - m.f * m.f, du = dot(way, jet.u), dv = dot(way, jet.v);
+      if (!(det > 0.0)) return;
+      const Point there = other_uv + geom::Vector{(du * m.g - dv * m.f) / det, (dv * m.e - du * m.f) / det};
+      if (!other.chart().contains(there) || geom::distance(other.at(there), at) > enough) return;
+      *end = {end->first, end->second, at};
+      uv = *pole;
+      other_uv = there;
+    };
+    settle(first, end->first, second, end->second);
+    if (!first.in_pole(end->first)) settle(second, end->second, first, end->first);
+  }
+}
+
+/// Puts one point of the chain beside each pole where it ends, and takes away those nearer to it, whose parameter along
+/// its side is hardly known.
 void thin_poles(const Surface& first, const Surface& second, std::vector<SharedPoint>& chain) {
-  const double beside = 1e-5 * std::min(first.size(), second.size());
+  const double size = std::min(first.size(), second.size()), beside = beside_pole * size;
   for (int end = 0; end < 2; ++end) {
     std::reverse(chain.begin(), chain.end());
     if (!first.in_pole(chain.back().first) && !second.in_pole(chain.back().second)) continue;
-    while (chain.size() > 2 && geom::distance(chain[chain.size() - 2].at, chain.back().at) < beside)
+    while (chain.size() > 2 && geom::distance(chain[chain.size() - 2].at, chain.back().at) < 1.5 * beside)
       chain.erase(chain.end() - 2);
+    const Piece rough(first, second, chain);
+    const std::vector<double>& t = rough.knots();
+    if (t.back() - t[t.size() - 2] < 1.5 * beside) continue;
+    const Piece::Found f = rough.at(t.back() - beside);
+    if (geom::length(f.gap()) > 1e-12 * size) continue;
+    chain.insert(chain.end() - 1, {{f.x[0], f.x[1]}, {f.x[2], f.x[3]}, f.a.at});
   }
 }
 
@@ -343,6 +411,15 @@ std::vector<std::vector<SharedPoint>> pieces_of(const Surface& first, const Surf
     pieces.back().push_back(p);
   }
   std::erase_if(pieces, [](const auto& piece) { return piece.size() < 2; });
+  for (auto& piece : pieces) end_in_poles(first, second, piece);
+  // What went to the pole whole is none.
+  std::erase_if(pieces, [&](const auto& piece) {
+    return breaks(piece.front(), piece.back()) &&
+           (first.in_pole(piece.front().first) || second.in_pole(piece.front().second)) &&
+           std::all_of(piece.begin(), piece.end(), [&](const SharedPoint& p) {
+             return geom::distance(p.at, piece.front().at) <= taken_as_pole * std::min(first.size(), second.size());
+           });
+  });
   for (auto& piece : pieces) thin_poles(first, second, piece);
   return pieces;
 }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "shared/surf/measure.h"
 #include "shared/surf/trim/chart_curves.h"
 #include "shared/surf/trim/rings.h"
 
@@ -176,16 +178,94 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   return Opened{std::move(face), polar.back, true};
 }
 
-/// Recognised anew, with its seams numbered and, where asked, a line across at the middle between two poles.
-base::Result<Recognised> recognised_again(const TrimmedSurface& face, std::optional<Side> cut_between,
+/// A straight line across the chart between two opposite poles.
+struct PoleCut {
+  bool along_u = true;  ///< It runs along u, at this v; else the other way round.
+  double at = 0.0;
+};
+
+/// By parts of the way between two poles.
+struct TakenRange {
+  double low = 0.0, high = 0.0;
+};
+
+/// Where a cut would run along edges, end with them or touch them.
+/// @param flat  steps of edges that rise less than this by their way along the poles are taken as a whole
+void add_taken(const std::vector<ChartEdge>& edges, const Box& chart, bool along_u, double flat,
+               std::vector<TakenRange>& taken) {
+  for (const ChartEdge& edge : edges) {
+    std::vector<Point> points;
+    add_points(edge, points);
+    points.push_back(edge.end());
+    std::vector<double> along, across;
+    for (const Point p : points) {
+      const double u = (p.x - chart.low.x) / chart.width(), v = (p.y - chart.low.y) / chart.height();
+      along.push_back(along_u ? u : v);
+      across.push_back(along_u ? v : u);
+    }
+    taken.push_back({across.front(), across.front()});
+    taken.push_back({across.back(), across.back()});
+    for (std::size_t i = 1; i < across.size(); ++i) {
+      const auto [low, high] = std::minmax(across[i - 1], across[i]);
+      if (high - low < flat * std::abs(along[i] - along[i - 1])) taken.push_back({low, high});
+      if (i + 1 == across.size()) continue;
+      const bool turns = (across[i] - across[i - 1]) * (across[i + 1] - across[i]) <= 0.0;
+      if (turns) taken.push_back({std::min(low, across[i + 1]), std::max(high, across[i + 1])});
+    }
+  }
+}
+
+/// The place nearest to the middle that is `margin` from what is taken, or else the middle of the widest gap.
+std::optional<double> free_place(std::vector<TakenRange> taken, double margin) {
+  std::sort(taken.begin(), taken.end(), [](const TakenRange& a, const TakenRange& b) { return a.low < b.low; });
+  std::optional<double> best;
+  double least = 1.0, widest = 1e-4;
+  double last = taken.front().high;
+  for (const TakenRange& range : taken) {
+    const double gap = range.low - last;
+    if (gap >= 2.0 * margin) {
+      const double at = std::clamp(0.5, last + margin, range.low - margin);
+      if (std::abs(at - 0.5) < least) least = std::abs(at - 0.5), best = at;
+    } else if (gap > widest && least == 1.0) {
+      widest = gap, best = last + 0.5 * gap;
+    }
+    last = std::max(last, range.high);
+  }
+  return best;
+}
+
+/// Where a face that touches two opposite poles is cut apart: in the middle, unless a line or loop runs along there,
+/// ends there or touches it. What runs along the cut would be taken as the cut.
+PoleCut cut_between_poles(const TrimmedSurface& face, bool along_u) {
+  const Box& chart = face.surface.chart();
+  constexpr double margin = 0.03, outermost = 0.25;  // parts of the way between the poles
+  const auto place = [&](double flat) {
+    std::vector<TakenRange> taken{{0.0, outermost}, {1.0 - outermost, 1.0}};
+    for (const ChartLoop& loop : face.loops) add_taken(loop.edges, chart, along_u, flat, taken);
+    for (const ChartLine& line : face.lines) add_taken(line.edges, chart, along_u, flat, taken);
+    const auto add = [&](Point p) {
+      const double at = along_u ? (p.y - chart.low.y) / chart.height() : (p.x - chart.low.x) / chart.width();
+      taken.push_back({at, at});
+    };
+    for (const ChartPoint& point : face.points) add(point.at);
+    for (const ChartRegion& region : face.regions) add(region.at);
+    return free_place(std::move(taken), margin);
+  };
+  constexpr double flat = 0.2;
+  std::optional<double> part = place(flat);
+  if (!part) part = place(0.0);  // Slanting lines fill the way between the poles: the cut crosses one of them.
+  const double low = along_u ? chart.low.y : chart.low.x, high = along_u ? chart.high.y : chart.high.x;
+  return {along_u, std::lerp(low, high, part.value_or(0.5))};
+}
+
+/// Recognised anew, with its seams numbered and, where asked, cut apart between two poles.
+base::Result<Recognised> recognised_again(const TrimmedSurface& face, const std::optional<PoleCut>& cut,
                                           SharedNumbers& numbers, const RecogniseOptions& options) {
   std::vector<TrimLine> lines;
-  if (cut_between) {
+  if (cut) {
     const Box& chart = face.surface.chart();
-    const Point m = chart.centre();
-    const bool along_u = runs_along_u(*cut_between);
-    lines.push_back({{{along_u ? straight({chart.low.x, m.y}, {chart.high.x, m.y}, artificial_border)
-                               : straight({m.x, chart.low.y}, {m.x, chart.high.y}, artificial_border)}}});
+    lines.push_back({{{cut->along_u ? straight({chart.low.x, cut->at}, {chart.high.x, cut->at}, artificial_border)
+                                    : straight({cut->at, chart.low.y}, {cut->at, chart.high.y}, artificial_border)}}});
   }
   for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
   for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
@@ -253,23 +333,24 @@ base::Result<std::vector<Opened>> open(const TrimmedSurface& face, SharedNumbers
   }
   // A face that comes near to the other pole is cut too: there the chart of this one is as bad.
   const bool along_u = runs_along_u(poles.front());
-  bool cut = poles.size() > 1;
+  bool apart = poles.size() > 1;
   if (face.surface.collapsed(opposite(poles.front()))) {
     for (const std::vector<Point>& ring : rings_of(face)) {
       for (const Point p : ring) {
         const double part = along_u ? (p.y - chart.low.y) / chart.height() : (p.x - chart.low.x) / chart.width();
         const bool at_low = poles.front() == Side::Bottom || poles.front() == Side::Left;
-        cut = cut || (at_low ? part : 1.0 - part) > 0.75;
+        apart = apart || (at_low ? part : 1.0 - part) > 0.75;
       }
     }
   }
-  DOBRA_TRY(const Recognised again,
-            recognised_again(face, cut ? std::optional(poles.front()) : std::nullopt, numbers, options));
+  std::optional<PoleCut> cut;
+  if (apart) cut = cut_between_poles(face, along_u);
+  DOBRA_TRY(const Recognised again, recognised_again(face, cut, numbers, options));
   std::vector<Opened> opened;
   for (const Side pole : cut ? std::vector{poles.front(), opposite(poles.front())} : poles) {
     const auto beside_pole = [&](Point p) {
       if (!cut) return true;
-      const bool low = along_u ? p.y < chart.centre().y : p.x < chart.centre().x;
+      const bool low = (along_u ? p.y : p.x) < cut->at;
       return low == (pole == Side::Bottom || pole == Side::Left);
     };
     std::vector<std::size_t> picked;

@@ -45,9 +45,9 @@ struct PolarChart {
 /// @error those of Surface::of
 base::Result<PolarChart> polar_chart(const Surface& surface, Side pole, double reach = 1.0);
 
-/// The face as it is, if it touches no pole; in a polar chart if one; cut at the middle in two of them if two opposite
-/// ones. Edges along poles vanish, both sides of a seam too where the turn closes. Those that the cut divides get
-/// numbers of their own, if they had one.
+/// The face as it is, if it touches no pole; in a polar chart if one; cut in two of them if two opposite ones, at the
+/// middle or, where lines run along there, end or turn back, beside it. Edges along poles vanish, both sides of a seam
+/// too where the turn closes. Those that the cut divides get numbers of their own, if they had one.
 /// @error NotSupported: a face that touches poles on sides that meet, with the place; those of recognise
 base::Result<std::vector<Opened>> open(const TrimmedSurface& face, SharedNumbers& numbers,
                                        const RecogniseOptions& options = {});

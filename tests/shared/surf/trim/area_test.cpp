@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <numbers>
 
 #include "tests/shared/surf/surface_shapes.h"
@@ -121,6 +122,28 @@ TEST(TrimmedArea, OfThinStripsEnds) {
 }
 
 /// Kinks of the surface cross the loop: an extruded polyline, straightened.
+/// Stretches along u twice as much beyond a place that is no break of it: no halving finds the place exactly.
+struct SteppedShape : Surface::Shape {
+  static constexpr double step = 0.3137;
+  mutable std::size_t asked = 0;
+  void jets(std::span<const Point> uv, std::span<Jet> jets) const override {
+    asked += uv.size();
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      jets[i] = {{uv[i].x, uv[i].y, 0.0}, {uv[i].x > step ? 2.0 : 1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {}, {}, {}};
+  }
+  [[nodiscard]] Bend bend(const geom::Box&) const override { return {}; }
+};
+
+TEST(TrimmedArea, WhatHalvingTheLoopsDoesNotLowerIsToldAndLeft) {
+  const auto shape = std::make_shared<const SteppedShape>();
+  const Surface surface = *Surface::of(shape, {{0, 0}, {1, 1}});
+  const std::size_t before = shape->asked;
+  const Measured whole = area({surface, {whole_chart(surface)}});
+  EXPECT_LE(shape->asked - before, 40'000U);
+  EXPECT_GT(whole.error, 1e-8 * whole.value);
+  EXPECT_NEAR(whole.value, 2.0 - SteppedShape::step, 2.0 * whole.error);
+}
+
 TEST(TrimmedArea, KinksOfTheSurfaceAreSeen) {
   const Curve zigzag = *Curve::nurbs(1, {0, 0, 0.4, 0.7, 1, 1}, {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {3, 0, 3}});
   const Surface roof = *Surface::extruded(zigzag, {0, 1, 0});

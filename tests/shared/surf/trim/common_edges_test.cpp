@@ -162,6 +162,45 @@ TEST(CommonEdges, OfManyPairsAreOnBothToATenthOfABillionth) {
   EXPECT_GT(pieces, 24);
 }
 
+// A plane through the pole of a ball, with the normal (a cos m, a sin m, c): at the angle q from the pole the longitude
+// u has cos(u - m) = c / a tan(q / 2). With m of a right angle the curve comes to the pole along the seam.
+TEST(CommonEdges, ThroughAPoleAreSmoothUpToIt) {
+  const double r = 5.0;
+  const Surface ball = *Surface::sphere({}, r, {{0, -0.5 * pi}, {2 * pi, 0.5 * pi}});
+  for (const double pole : {1.0, -1.0}) {
+    for (int k = 0; k < 12; ++k) {
+      const double m = k * pi / 6;
+      for (const double steep : {1.0, 0.3}) {
+        const Vector3 normal{std::cos(m), std::sin(m), pole * steep};
+        const std::string what = std::to_string(k) + " by " + std::to_string(pole * steep);
+        const auto edges = plane_edges(ball, {0, 0, pole * r}, normal);
+        ASSERT_TRUE(edges.ok()) << what << edges.error().message;
+        double length = 0.0;
+        int in_pole = 0;
+        for (const ChartEdge& edge : *edges) {
+          EXPECT_LE(edge.curve.bend(edge.from, edge.to), 50.0) << what;
+          length += edge.to - edge.from;
+          in_pole += ball.in_pole(edge.start()) ? 1 : 0;
+          in_pole += ball.in_pole(edge.end()) ? 1 : 0;
+          for (const bool from_end : {false, true}) {
+            for (const double by : {0.0, 1e-9, 1e-7, 1e-5, 1e-3, 0.01, 0.03, 0.3}) {
+              const double t = std::lerp(edge.from, edge.to, from_end ? 1.0 - by : by);
+              const Point uv = edge.at(t);
+              const double q = 0.5 * pi - pole * uv.y;
+              EXPECT_NEAR(std::cos(uv.x - m), steep * std::tan(0.5 * q), 1e-7) << what << " at " << t;
+              const Curve::Jet jet = edge.curve.jet(t);
+              EXPECT_LE(std::abs(jet.second.x) + std::abs(jet.second.y), 50.0) << what << " at " << t;
+            }
+          }
+        }
+        EXPECT_EQ(in_pole, 2) << what;
+        const double round = 2 * pi * r / std::sqrt(1.0 + steep * steep);
+        EXPECT_NEAR(length, round, 1e-3 * round) << what;  // by the chords of the chain
+      }
+    }
+  }
+}
+
 TEST(CommonEdges, OfPipesThatTouchWhereTheyCrossAreOnBothOrRefused) {
   const Surface one = *Surface::cylinder({{0, 0, -4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 2.0, {{0, 0}, {2 * pi, 8}});
   const Surface other = *Surface::cylinder({{-4, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, 2.0, {{0, 0}, {2 * pi, 8}});

@@ -241,6 +241,120 @@ TEST(Open, ALuneIsTwoSectors) {
   EXPECT_NEAR(area, 1.2 * 2 * 9, 0.02);
 }
 
+/// The length in space of lines of a kind and a name inside the parts of a face.
+double length_in_space(const std::vector<Opened>& parts, ChartLine::Kind kind, const std::string& name) {
+  double sum = 0.0;
+  for (const Opened& part : parts) {
+    for (const ChartLine& line : part.face.lines) {
+      if (line.kind != kind) continue;
+      for (const ChartEdge& edge : line.edges) {
+        if (edge.name != name) continue;
+        constexpr int n = 2000;
+        Point3 last = part.face.surface.at(edge.start());
+        for (int i = 1; i <= n; ++i) {
+          const Point3 next = part.face.surface.at(edge.at(std::lerp(edge.from, edge.to, 1.0 * i / n)));
+          sum += geom::distance(last, next);
+          last = next;
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+/// Latitudes between which the common borders of two halves of a ball lie.
+std::pair<double, double> latitudes_of_the_cut(const std::vector<Opened>& halves) {
+  double low = pi, high = -pi;
+  for (const Opened& half : halves) {
+    for (const ChartEdge& edge : half.face.loops.at(0).edges) {
+      if (edge.name != artificial_border) continue;
+      for (int i = 0; i <= 20; ++i) {
+        const double at = half.back(edge.at(std::lerp(edge.from, edge.to, i / 20.0))).y;
+        low = std::min(low, at), high = std::max(high, at);
+      }
+    }
+  }
+  return {low, high};
+}
+
+// The cut between the poles runs along no line: what lay on it would be taken as the cut.
+TEST(Open, LinesAlongTheMiddleBetweenTwoPolesStay) {
+  const double degree = pi / 180.0;
+  const Surface ball = *Surface::sphere({}, 5.0, {{0, -0.5 * pi}, {2 * pi, 0.5 * pi}});
+  struct Drawn {
+    double from, to;  ///< Longitudes.
+    std::vector<double> latitudes;
+  };
+  std::vector<double> many;
+  for (int i = -40; i <= 40; ++i) many.push_back(2.0 * i);
+  std::vector<double> favourites;
+  for (int i = -9; i <= 9; ++i) favourites.push_back(5.0 * i);
+  const std::vector<Drawn> cases{{30, 70, {0}},        {30, 70, {1e-6}},       {30, 70, {-1e-4}}, {30, 70, {1}},
+                                 {30, 70, {10}},       {30, 70, {-10}},        {0, 40, {0}},      {320, 360, {0}},
+                                 {30, 70, {0, 5, -5}}, {30, 70, {0, 1e-3, 8}}, {10, 350, many},   {30, 70, favourites},
+                                 {0, 360, {0}}};
+  for (const Drawn& drawn : cases) {
+    for (const ChartLine::Kind kind : {ChartLine::Kind::Crack, ChartLine::Kind::Constraint}) {
+      std::vector<TrimLine> lines;
+      double wanted = 0.0;
+      for (const double at : drawn.latitudes) {
+        lines.push_back({{{straight({drawn.from * degree, at * degree}, {drawn.to * degree, at * degree}, "k")}, kind},
+                         false,
+                         false});
+        wanted += 5.0 * std::cos(at * degree) * (drawn.to - drawn.from) * degree;
+      }
+      const auto found = recognise(ball, lines);
+      ASSERT_TRUE(found.ok()) << found.error().message;
+      ASSERT_EQ(found->faces().size(), 1U);
+      SharedNumbers numbers(50);
+      const auto halves = open(found->faces()[0], numbers);
+      const std::string what = testing::PrintToString(drawn.latitudes) + " from " + std::to_string(drawn.from);
+      ASSERT_TRUE(halves.ok()) << what << halves.error().message;
+      ASSERT_EQ(halves->size(), 2U) << what;
+      EXPECT_NEAR(length_in_space(*halves, kind, "k"), wanted, 1e-5 * wanted) << what;
+      double area = 0.0;
+      for (const Opened& half : *halves) {
+        check_loops(half.face);
+        area += area_in_space(half.face);
+      }
+      EXPECT_NEAR(area, 4 * pi * 25, 0.5) << what;
+      const auto [low, high] = latitudes_of_the_cut(*halves);
+      EXPECT_NEAR(low, high, 1e-9) << what;
+      double nearest = pi;
+      for (const double at : drawn.latitudes) nearest = std::min(nearest, std::abs(low - at * degree));
+      EXPECT_GT(nearest, 0.99 * degree) << what;
+      // Where nothing is near it stays in the middle.
+      if (drawn.latitudes.size() == 1 && std::abs(drawn.latitudes[0]) >= 10) EXPECT_NEAR(low, 0.0, 1e-12) << what;
+    }
+  }
+}
+
+// Slanting lines may leave no place where the cut meets none of them: it crosses them then.
+TEST(Open, LinesThatSlantFromPoleToPoleAreCrossedByTheCut) {
+  const Surface ball = *Surface::sphere({}, 5.0, {{0, -0.5 * pi}, {2 * pi, 0.5 * pi}});
+  std::vector<TrimLine> lines;
+  double wanted = 0.0;
+  constexpr int pieces = 12;
+  for (int k = 0; k < pieces; ++k) {
+    const Point a{0.3, std::lerp(-1.4, 1.4, 1.0 * k / pieces)}, b{5.9, a.y + 2.8 / pieces};
+    lines.push_back({{{straight(a, b, "k")}, ChartLine::Kind::Crack}, false, false});
+    constexpr int n = 4000;
+    Point3 last = ball.at(a);
+    for (int i = 1; i <= n; ++i) {
+      const Point3 next = ball.at({std::lerp(a.x, b.x, 1.0 * i / n), std::lerp(a.y, b.y, 1.0 * i / n)});
+      wanted += geom::distance(last, next);
+      last = next;
+    }
+  }
+  const auto found = recognise(ball, lines);
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  SharedNumbers numbers(50);
+  const auto halves = open(found->faces()[0], numbers);
+  ASSERT_TRUE(halves.ok()) << halves.error().message;
+  ASSERT_EQ(halves->size(), 2U);
+  EXPECT_NEAR(length_in_space(*halves, ChartLine::Kind::Crack, "k"), wanted, 1e-5 * wanted);
+}
+
 TEST(Open, AConeWithItsApexIsADiskAndItsTipAPoint) {
   const Surface cone = *Surface::cone({}, 0.0, 0.4, {{0, 0}, {2 * pi, 5}});
   const std::vector<TrimLine> lines{circle({6.2, 3}, 1)};  // across the seam
