@@ -55,10 +55,12 @@ class Doubts {
     }
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
       if (!is_loop(drawn_[i].role)) continue;
-      say_self_crossing(drawn_[i]);
+      // Several of one name are the rings of one cut, which touch where the surfaces do.
+      const auto of_name = [&](const DrawnTrim& other) { return other.name == drawn_[i].name; };
+      if (std::count_if(drawn_.begin(), drawn_.end(), of_name) == 1) say_self_crossing(drawn_[i]);
       if (told.insert(drawn_[i].name).second) say_idle(drawn_[i]);
       for (std::size_t k = i + 1; k < drawn_.size(); ++k) {
-        if (is_loop(drawn_[k].role)) say_crossing(drawn_[i], drawn_[k]);
+        if (is_loop(drawn_[k].role) && !of_name(drawn_[k])) say_crossing(drawn_[i], drawn_[k]);
       }
     }
     return std::move(findings_);
