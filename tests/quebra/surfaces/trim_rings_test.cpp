@@ -107,11 +107,11 @@ TEST(TrimRings, EqualPipesMeetWhereverTheirSeamsAre) {
 
 TEST(TrimRings, AnEqualPipeThroughAPipeTakesBothLensesWhereverTheSeamIs) {
   for (const char* const range : {"[0, 360]", "[-180, 180]", "[90, 450]", "[45, 405]"}) {
-    const double area =
-        area_of(std::string("[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 2\nu = ") + range +
-                "\nv = [-6, 6]\n[[input.surface]]\nname = \"b\"\nkind = \"cylinder\"\nuse = \"tool\"\n"
-                "radius = 2\naxis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = [-12, 12]\n"
-                "[[input.trim]]\nname = \"t\"\nkind = \"surface\"\ntool = \"b\"\nrole = \"hole\"\n";
+    const std::string text = std::string("[[input.surface]]\nname = \"c\"\nkind = \"cylinder\"\nradius = 2\nu = ") +
+                             range +
+                             "\nv = [-6, 6]\n[[input.surface]]\nname = \"b\"\nkind = \"cylinder\"\nuse = \"tool\"\n"
+                             "radius = 2\naxis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = [-12, 12]\n"
+                             "[[input.trim]]\nname = \"t\"\nkind = \"surface\"\ntool = \"b\"\nrole = \"hole\"\n";
     EXPECT_NEAR(area_of(text), 48 * pi - 32, 1e-5) << range;
     EXPECT_TRUE(surfaces_of(text)->findings.empty()) << range;  // they touch, and cross nowhere
   }
