@@ -324,7 +324,9 @@ TEST(Open, LinesAlongTheMiddleBetweenTwoPolesStay) {
       for (const double at : drawn.latitudes) nearest = std::min(nearest, std::abs(low - at * degree));
       EXPECT_GT(nearest, 0.99 * degree) << what;
       // Where nothing is near it stays in the middle.
-      if (drawn.latitudes.size() == 1 && std::abs(drawn.latitudes[0]) >= 10) EXPECT_NEAR(low, 0.0, 1e-12) << what;
+      if (drawn.latitudes.size() == 1 && std::abs(drawn.latitudes[0]) >= 10) {
+        EXPECT_NEAR(low, 0.0, 1e-12) << what;
+      }
     }
   }
 }
