@@ -80,6 +80,23 @@ TEST(CrackLines, BandsOnACylinderHaveTheirDistanceInSpace) {
   EXPECT_EQ(mesh.mesh.constraint_sets.count("k_band_1"), 1U);
 }
 
+TEST(CrackLines, AlongTheMiddleBetweenTwoPolesAreOpened) {
+  const std::string ball = "[[input.surface]]\nname = \"ball\"\nkind = \"sphere\"\nradius = 3\n";
+  // An open crack makes a disk of a ball, one all round two disks.
+  for (const auto& [points, euler] :
+       {std::pair{"[[30, 0], [70, 0]]", 1}, std::pair{"[[30, 1e-6], [70, 1e-6]]", 1},
+        std::pair{"[[30, 1], [70, 1]]", 1}, std::pair{"[[30, -10], [70, -10]]", 1},
+        std::pair{"[[330, 0], [390, 0]]", 1}, std::pair{"[[30, -10], [50, 0], [90, 0]]", 1},
+        std::pair{"[[0, 0], [360, 0]]", 2}}) {
+    const auto made = surfaces_of(ball + crack(points, ""));
+    ASSERT_TRUE(made) << points << to_string(made.error());
+    const auto mesh = meshed(*made, 0.8);
+    EXPECT_EQ(mesh.quality.euler, euler) << points;
+    EXPECT_EQ(mesh.quality.components, static_cast<std::size_t>(euler)) << points;
+    EXPECT_EQ(mesh.quality.loops, static_cast<std::size_t>(euler)) << points;
+  }
+}
+
 /// The chart is 1.05 radians by 8 m: what is round in space is a flat oval there, whichever way the crack runs.
 TEST(CrackLines, BandsAndRosettesRoundObliqueCracksOnACylinder) {
   const std::string arch =

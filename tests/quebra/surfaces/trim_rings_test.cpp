@@ -63,6 +63,16 @@ TEST(TrimRings, WhatAdviceSaysDoesWhatWasMeant) {
               24 * pi, 1e-6);
 }
 
+TEST(TrimRings, APlaneThroughAPoleCutsACap) {
+  // Its circle comes to the pole along the seam where the normal is at right angles to it.
+  const double cap = 2 * pi * 2 * (2 - std::sqrt(2.0));
+  for (const std::string normal : {"[0, 1, 1]", "[0, -1, 1]", "[1, 0, 1]", "[-1, 0, 1]"})
+    EXPECT_NEAR(
+        area_of(ball + by_plane("[0, 0, 2]", normal, "cut") + "[[input.part]]\nfate = \"drop\"\nplace = [0, 0, -2]\n"),
+        cap, 1e-6)
+        << normal;
+}
+
 TEST(TrimRings, HolesFromBorderToBorderAreRefusedWithAdvice) {
   EXPECT_THAT(refusal(plate + by_plane("[5, 0, 0]", "[1, 0, 0]")).message, HasSubstr("from border to border"));
   // A corner: which side of the arc is meant is plain to see, and not said.
