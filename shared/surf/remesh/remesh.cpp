@@ -434,19 +434,16 @@ class Remesher {
     DOBRA_TRY_VOID(progress.check());
     made.deviation = 0.0;
     const auto& before = atlas_.before;
-    // Nodes move from round to round, so what is just within the chord may be beyond it in the next one.
-    const double near = made.rounds > 1 ? 0.75 : 1.0;
     std::vector<double> next = sizes_, enough = sizes_;
     const auto seen = [&](double off, Point3 place, std::uint32_t old_triangle, std::uint32_t new_triangle) {
       if (off > made.deviation) made.deviation = off, worst = place;
-      if (!(options_.chord > 0.0) || off <= near * options_.chord) return;
+      if (!(options_.chord > 0.0) || off <= options_.chord) return;
       double side = 0.0;
       for (std::size_t i = 0; i < 3; ++i) {
         side = std::max(side, geom::distance(made.mesh.points[triangles[new_triangle][i]],
                                              made.mesh.points[triangles[new_triangle][(i + 1) % 3]]));
       }
-      const double ratio = std::sqrt(options_.chord / off),
-                   smaller = std::clamp(0.8 * ratio, 0.4, off > options_.chord ? 0.8 : 1.0);
+      const double ratio = std::sqrt(options_.chord / off), smaller = std::clamp(0.8 * ratio, 0.4, 0.8);
       for (const std::uint32_t v : before.triangles[old_triangle]) {
         next[v] = std::min({next[v], smaller * side, smaller * sizes_[v]});
         enough[v] = std::min(enough[v], ratio * side);

@@ -112,29 +112,6 @@ TEST(RemeshSizes, CreasesShorterThanASideAreToldWhereTheMeshIsOff) {
   EXPECT_FALSE(tells(*fine, "crease_left_out"));
 }
 
-TEST(RemeshSizes, AChordAskedUnderWhatTheSizeGivesIsKeptInFewRounds) {
-  const PolygonMesh waves = test::grid_mesh(60, 60, [](double u, double v) {
-    return geom::Point3{2 * u - 1, 2 * v - 1, 0.2 * std::sin(3 * (2 * u - 1)) * std::cos(2 * (2 * v - 1))};
-  });
-  const auto given = remesh(waves, {.size = 0.1});
-  ASSERT_TRUE(given.ok()) << given.error().message;
-  for (const double part : {0.7, 0.2}) {
-    const double chord = part * given->deviation;
-    const auto made = remesh(waves, {.size = 0.1, .chord = chord});
-    ASSERT_TRUE(made.ok()) << made.error().message;
-    // How far it is off, by the meshes alone.
-    PolygonMesh after{made->mesh.points, {}};
-    for (const auto& [a, b, c] : made->mesh.triangles)
-      after.faces.push_back({static_cast<std::uint32_t>(a.index()), static_cast<std::uint32_t>(b.index()),
-                             static_cast<std::uint32_t>(c.index())});
-    EXPECT_LE(deviation(param::sheet_of(waves)->sheet, param::sheet_of(after)->sheet), chord) << part;
-    EXPECT_FALSE(tells(*made, "deviation_above")) << part;
-    EXPECT_LE(made->rounds, 5) << part;
-    EXPECT_LT(static_cast<double>(made->quality.triangles), 2.0 * static_cast<double>(given->quality.triangles) / part)
-        << part;
-  }
-}
-
 TEST(RemeshSizes, WorkThatIsCancelledEndsInEveryStep) {
   const PolygonMesh hill = test::shaken_grid(30, 30, 0.5, 1, [](double u, double v) {
     return Point3{u, v, 0.08 * std::sin(7 * u) * std::cos(6 * v)};
