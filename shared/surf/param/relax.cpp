@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "shared/geom/intersect.h"
 #include "shared/geom/predicates.h"
@@ -41,57 +40,6 @@ Flat flat_of(const Sheet& sheet, const std::array<std::uint32_t, 3>& t) {
   return flat;
 }
 
-using Symmetric = Eigen::SparseMatrix<double>;
-
-/// The solver of Eigen, whose factors are found row by row here, so that the work can be stopped between two rows.
-class StoppableLdlt : public Eigen::SimplicialLDLT<Symmetric> {
- public:
-  /// @param matrix  its lower half  @pre analyzePattern of such a matrix  @error Cancelled
-  Result<void> factorise(const Symmetric& matrix, const base::Progress& progress) {
-    const Eigen::Index n = matrix.cols();
-    Symmetric upper(n, n);
-    upper.selfadjointView<Eigen::Upper>() = matrix.selfadjointView<Eigen::Lower>().twistedBy(m_P);
-    const int* begin = m_matrix.outerIndexPtr();
-    int* rows = m_matrix.innerIndexPtr();
-    double* factor = m_matrix.valuePtr();
-    std::vector<double> row(static_cast<std::size_t>(n), 0.0);
-    std::vector<int> seen(row.size(), -1), way, columns;
-    m_diag.resize(n);
-    m_nonZerosPerCol.setZero();
-    m_info = Eigen::NumericalIssue;
-    for (int k = 0; k < n; ++k) {
-      DOBRA_TRY_VOID(progress.check());
-      // The columns that are not nought in this row: ways up the elimination tree, each before what is above it.
-      columns.clear();
-      seen[static_cast<std::size_t>(k)] = k;
-      for (Symmetric::InnerIterator entry(upper, k); entry; ++entry) {
-        auto i = static_cast<int>(entry.index());
-        row[static_cast<std::size_t>(i)] += entry.value();
-        for (way.clear(); seen[static_cast<std::size_t>(i)] != k; i = m_parent[i]) {
-          seen[static_cast<std::size_t>(i)] = k;
-          way.push_back(i);
-        }
-        columns.insert(columns.end(), way.rbegin(), way.rend());
-      }
-      double pivot = std::exchange(row[static_cast<std::size_t>(k)], 0.0);
-      for (auto column = columns.rbegin(); column != columns.rend(); ++column) {
-        const int i = *column, end = begin[i] + m_nonZerosPerCol[i];
-        const double value = std::exchange(row[static_cast<std::size_t>(i)], 0.0), part = value / m_diag[i];
-        for (int p = begin[i]; p < end; ++p) row[static_cast<std::size_t>(rows[p])] -= factor[p] * value;
-        pivot -= part * value;
-        rows[end] = k;
-        factor[end] = part;
-        ++m_nonZerosPerCol[i];
-      }
-      m_diag[k] = pivot;
-      if (pivot == 0.0) return {};
-    }
-    m_info = Eigen::Success;
-    m_factorizationIsOk = true;
-    return {};
-  }
-};
-
 class Relaxer {
  public:
   Relaxer(const Sheet& sheet, std::vector<Point>& uv) : sheet_(sheet), uv_(uv) {
@@ -114,10 +62,9 @@ class Relaxer {
     int slow = 0;
     while (made.steps < options.steps && slow < patience) {
       DOBRA_TRY_VOID(progress.check());
-      DOBRA_TRY(const std::vector<Vector> step, solve(progress));
+      const std::vector<Vector> step = solve();
       if (step.empty()) break;
       const double before = made.energy;
-      DOBRA_TRY_VOID(progress.check());
       if (!go(step, made)) break;
       ++made.steps;
       slow = before - made.energy < options.enough * (before - least) ? slow + 1 : 0;
@@ -148,14 +95,12 @@ class Relaxer {
   }
 
   /// Towards the least of the energy in which that of each triangle is a weighted distance from its nearest rotation.
-  /// @return none where there is no least  @error Cancelled
-  Result<std::vector<Vector>> solve(const base::Progress& progress) {
+  std::vector<Vector> solve() {
     const auto n = static_cast<Eigen::Index>(uv_.size());
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(21 * flats_.size() + 2 * uv_.size());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * n);
     for (std::size_t t = 0; t < flats_.size(); ++t) {
-      DOBRA_TRY_VOID(progress.check());
       const Flat& flat = flats_[t];
       const Matrix map = map_of(uv_, t);
       const Eigen::JacobiSVD<Matrix> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -186,18 +131,17 @@ class Relaxer {
     // No place is given, so a little resistance holds the sheet.
     constexpr double resistance = 1e-8;
     for (Eigen::Index i = 0; i < 2 * n; ++i) entries.emplace_back(i, i, resistance);
-    Symmetric matrix(2 * n, 2 * n);
+    Eigen::SparseMatrix<double> matrix(2 * n, 2 * n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     if (!analysed_) solver_.analyzePattern(matrix);
     analysed_ = true;
-    DOBRA_TRY_VOID(progress.check());
-    DOBRA_TRY_VOID(solver_.factorise(matrix, progress));
-    if (solver_.info() != Eigen::Success) return std::vector<Vector>{};
+    solver_.factorize(matrix);
+    if (solver_.info() != Eigen::Success) return {};
     const Eigen::VectorXd found = solver_.solve(right);
     std::vector<Vector> step(uv_.size());
     for (Eigen::Index i = 0; i < n; ++i) {
       step[static_cast<std::size_t>(i)] = {found(i), found(n + i)};
-      if (!std::isfinite(found(i)) || !std::isfinite(found(n + i))) return std::vector<Vector>{};
+      if (!std::isfinite(found(i)) || !std::isfinite(found(n + i))) return {};
     }
     return step;
   }
@@ -251,7 +195,7 @@ class Relaxer {
   std::vector<Point>& uv_;
   std::vector<Flat> flats_;
   double area_ = 0.0;
-  StoppableLdlt solver_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
   bool analysed_ = false;
 };
 

@@ -96,14 +96,13 @@ bool lies_in_a_line(std::span<const Point> points) {
 /// One sheet at work.
 class Remesher {
  public:
-  Remesher(const Atlas& atlas, const RemeshOptions& options, double size, Creases creases,
-           const base::Progress& progress)
+  Remesher(const Atlas& atlas, const RemeshOptions& options, double size, Creases creases)
       : atlas_(atlas),
         options_(options),
         size_(size),
         creases_(creases),
         sizes_(atlas_.before.points.size(), size),
-        tree_(atlas_.before.points, atlas_.before.triangles, progress) {
+        tree_(atlas_.before.points, atlas_.before.triangles) {
     for (const Point3 p : atlas_.before.points) box_.add(p);
   }
 
@@ -112,7 +111,6 @@ class Remesher {
 
   Result<Remeshed> run(const base::Progress& progress) {
     for (const Part& part : atlas_.parts) {
-      DOBRA_TRY_VOID(progress.check());
       DOBRA_TRY(Surface pieces, param::plane_pieces(part.chart));
       DOBRA_TRY(Surface smooth, guide_of(part, 0));
       const bool over = turns_over(smooth, part);
@@ -430,8 +428,7 @@ class Remesher {
   Result<bool> judge(Remeshed& made, Point3& worst, const base::Progress& progress) {
     DOBRA_TRY_VOID(progress.check());
     const auto triangles = triangles_of(made.mesh);
-    const TriangleTree tree(made.mesh.points, triangles, progress);
-    DOBRA_TRY_VOID(progress.check());
+    const TriangleTree tree(made.mesh.points, triangles);
     made.deviation = 0.0;
     const auto& before = atlas_.before;
     std::vector<double> next = sizes_, enough = sizes_;
@@ -543,10 +540,10 @@ Result<Remeshed> remesh_once(param::SheetMade made, const RemeshOptions& options
                           .least_area = least_part * size * size};
   // Creases that are left out are kept where it does not do without them.
   const auto run = [&](const Atlas& atlas) {
-    Remesher clear(atlas, options, size, Creases::Clear, progress);
+    Remesher clear(atlas, options, size, Creases::Clear);
     auto done = clear.run(progress);
     if (!clear.left_out() || (done ? !is_off(*done, options) : ends_it(done.error()))) return done;
-    auto all = Remesher(atlas, options, size, Creases::All, progress).run(progress);
+    auto all = Remesher(atlas, options, size, Creases::All).run(progress);
     if (!all && done && ends_it(all.error())) return all;
     return all && (!done || is_nearer(*all, *done)) ? all : done;
   };

@@ -38,15 +38,14 @@ Point3 nearest_on(Point3 p, Point3 a, Point3 b, Point3 c) {
   return a + (of_b / sum) * ab + (of_c / sum) * ac;
 }
 
-TriangleTree::TriangleTree(std::vector<Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles,
-                           const base::Progress& progress)
+TriangleTree::TriangleTree(std::vector<Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles)
     : points_(std::move(points)), triangles_(std::move(triangles)), order_(triangles_.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
   nodes_.emplace_back();
-  if (!order_.empty()) build(0, 0, static_cast<std::uint32_t>(order_.size()), progress);
+  if (!order_.empty()) build(0, 0, static_cast<std::uint32_t>(order_.size()));
 }
 
-void TriangleTree::build(std::uint32_t node, std::uint32_t from, std::uint32_t to, const base::Progress& progress) {
+void TriangleTree::build(std::uint32_t node, std::uint32_t from, std::uint32_t to) {
   Point3 low = points_[triangles_[order_[from]][0]], high = low;
   for (std::uint32_t i = from; i < to; ++i) {
     for (const std::uint32_t v : triangles_[order_[i]]) {
@@ -56,7 +55,7 @@ void TriangleTree::build(std::uint32_t node, std::uint32_t from, std::uint32_t t
     }
   }
   nodes_[node] = {low, high, from, to - from};
-  if (to - from <= leaf || progress.cancelled()) return;
+  if (to - from <= leaf) return;
   const Vector3 size = high - low;
   const auto along = [&](std::uint32_t t) {
     double sum = 0.0;
@@ -73,8 +72,8 @@ void TriangleTree::build(std::uint32_t node, std::uint32_t from, std::uint32_t t
   nodes_.resize(nodes_.size() + 2);
   nodes_[node].first = child;
   nodes_[node].count = 0;
-  build(child, from, middle, progress);
-  build(child + 1, middle, to, progress);
+  build(child, from, middle);
+  build(child + 1, middle, to);
 }
 
 TriangleTree::Nearest TriangleTree::nearest(Point3 p) const {

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "shared/base/progress.h"
 #include "shared/geom/point3.h"
 
 namespace dobra::surf::remesh {
@@ -21,10 +20,8 @@ class TriangleTree {
     double distance = 0.0;  ///< m.
     geom::Point3 at;
   };
-  /// Once it is cancelled boxes are not parted further: places found are right, and take long.
   /// @pre outlives no points or triangles: both are copied  @cost O(n log n)
-  TriangleTree(std::vector<geom::Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles,
-               const base::Progress& progress = {});
+  TriangleTree(std::vector<geom::Point3> points, std::vector<std::array<std::uint32_t, 3>> triangles);
   /// Among equals one that depends on the mesh alone. @pre there is a triangle  @cost O(log n)
   [[nodiscard]] Nearest nearest(geom::Point3 p) const;
 
@@ -33,7 +30,7 @@ class TriangleTree {
     geom::Point3 low, high;
     std::uint32_t first = 0, count = 0;  ///< Triangles of a leaf; else the children are `first` and `first` + 1.
   };
-  void build(std::uint32_t node, std::uint32_t from, std::uint32_t to, const base::Progress& progress);
+  void build(std::uint32_t node, std::uint32_t from, std::uint32_t to);
   std::vector<geom::Point3> points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<std::uint32_t> order_;
