@@ -43,7 +43,7 @@ class Sides {
   std::vector<std::uint32_t> ends_;
 };
 
-/// Calls visit(point) for one and all within such a way along sides, the nearest first, while it is true.
+/// Calls visit(point) for one and all within such a way along sides.
 template <class Visit>
 void for_each_within(const Sheet& sheet, const Sides& sides, std::uint32_t from, double way, Visit&& visit) {
   using Entry = std::pair<double, std::uint32_t>;
@@ -54,7 +54,7 @@ void for_each_within(const Sheet& sheet, const Sides& sides, std::uint32_t from,
     const auto [at, v] = queue.top();
     queue.pop();
     if (at > least[v]) continue;
-    if (!visit(v)) return;
+    visit(v);
     sides.for_each_from(v, [&, at = at, v = v](std::uint32_t w) {
       const double there = at + geom::distance(sheet.points[v], sheet.points[w]);
       if (there > way) return;
@@ -95,13 +95,11 @@ std::vector<std::uint32_t> sharp_points(const Sheet& sheet, const std::vector<do
   if (sharp.empty()) return sharp;
   const Sides sides(sheet);
   std::erase_if(sharp, [&](std::uint32_t v) {
-    const double sign = std::copysign(1.0, lacks[v]);
     double sum = 0.0;
     for_each_within(sheet, sides, v, sizes[v], [&](std::uint32_t w) {
-      if (w == v || !on_border[w]) sum += sign * lacks[w];
-      return sum > -least;  // noise ends soon, so a rough mesh takes no time for each of its points
+      if (w == v || !on_border[w]) sum += lacks[w];
     });
-    return sum < least;
+    return std::copysign(1.0, lacks[v]) * sum < least;
   });
   std::stable_sort(sharp.begin(), sharp.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return std::abs(lacks[a]) > std::abs(lacks[b]); });
