@@ -10,7 +10,6 @@
 
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
-#include "shared/surf/remesh/tips.h"
 
 namespace dobra::surf::remesh {
 
@@ -86,7 +85,6 @@ class Builder {
       if (sheet_.twins[h] == no_half_edge) out_[sheet_.start(h)] = h;
     }
     find_creases(atlas.before, crease);
-    if (crease < 180.0) tips_ = sharp_points(atlas.before, sizes, crease);
     find_stays();
   }
 
@@ -125,37 +123,6 @@ class Builder {
       ++made_.creases;
     }
     made_.creases += made_.cut_creases;
-    add_tips();
-  }
-
-  /// Those that are on a cut are nodes of it already.
-  void add_tips() {
-    if (tips_.empty()) return;
-    const double cell = narrow * *std::max_element(sizes_.begin(), sizes_.end());
-    NearPoints near(cell);
-    for (const Network::Part& part : made_.parts) {
-      for (const auto& edge : part.chart.edges) {
-        const Point3 p = part.at[edge.nodes[0].index()], q = part.at[edge.nodes[1].index()];
-        const double count = std::ceil(2.0 * geom::distance(p, q) / cell);
-        for (double k = 0.0; k <= count; k += 1.0) near.add(p + k / count * (q - p), 0);
-      }
-    }
-    for (const std::uint32_t v : tips_) {
-      const auto node = node_of_vertex_.find(v);
-      if (node != node_of_vertex_.end()) {
-        if (!on_line_[v]) made_.tips.push_back(node->second);
-        continue;
-      }
-      const Point3 at = atlas_.before.points[v];
-      if (near.within(at, narrow * sizes_[v], 0)) {
-        ++made_.blunted;
-        made_.blunted_at = at;
-        continue;
-      }
-      near.add(at, 0);
-      made_.tips.push_back(made_.nodes);
-      point_of(point_inside_[v]);
-    }
   }
 
   /// Sides that cross are halved. @return there are some
@@ -252,17 +219,6 @@ class Builder {
       if (on_border[v] && folds[v] > 0) ++folds[v];  // the border is a line too
       if (folds[v] > 0 && (folds[v] != 2 || on_border[v])) stays_[origin(static_cast<std::uint32_t>(v))] = true;
     }
-    on_line_.assign(stays_.size(), false);
-    point_inside_.assign(tips_.empty() ? 0 : stays_.size(), 0);
-    for (std::uint32_t v = 0; v < folds.size(); ++v) {
-      if (!tips_.empty()) point_inside_[origin(v)] = v;
-      if (folds[v] > 0) on_line_[origin(v)] = true;
-    }
-    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
-      if (sheet_.twins[h] == no_half_edge && (opened_.across[h] == no_half_edge || cut_folded_[h]))
-        on_line_[origin(sheet_.start(h))] = on_line_[origin(sheet_.end(h))] = true;
-    }
-    for (const std::uint32_t v : tips_) stays_[v] = true;
     // A loop has two at least. They are chosen before any line is made, as another part may have the same loop.
     for (const auto& vertices : sheet_.loops) {
       std::size_t count = 0;
@@ -487,11 +443,8 @@ class Builder {
   std::vector<bool> stays_;                                   ///< One a point before the cut.
   std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  ///< Ends of the chains so far.
   std::vector<std::uint32_t> folds_at_;                       ///< One a point: lines at which it folds that meet.
-  std::vector<std::uint32_t> tips_;                           ///< Sharp points before the cut, the sharpest first.
-  std::vector<bool> on_line_;                ///< One a point before the cut: a border or a crease leads to it.
-  std::vector<std::uint32_t> point_inside_;  ///< One a point before the cut, where there are tips: one after it.
-  std::vector<bool> folded_;                 ///< One a half-edge: a crease.
-  std::vector<bool> cut_folded_;             ///< One a half-edge: a crease that was cut.
+  std::vector<bool> folded_;                                  ///< One a half-edge: a crease.
+  std::vector<bool> cut_folded_;                              ///< One a half-edge: a crease that was cut.
   std::map<std::uint32_t, std::uint32_t> point_, node_of_vertex_;
   std::map<HalfEdge, CutNodes>
       cut_nodes_;  ///< By the last half-edge of a chain, which is across the first of its other side.

@@ -17,15 +17,12 @@ struct Network {
   };
   std::vector<Part> parts;  ///< As those of the atlas.
   std::uint32_t nodes = 0;
-  std::size_t creases = 0;          ///< Lines kept.
-  std::size_t cut_creases = 0;      ///< Of them, those that a cut runs along: these are kept whatever `crease` is.
-  std::size_t narrow = 0;           ///< Creases left out, as they run close beside another line,
-  geom::Point3 narrow_at;           ///< and where one of them begins.
-  std::size_t loose = 0;            ///< Creases left out, as they are shorter than a side,
-  geom::Point3 loose_at;            ///< and where one of them begins.
-  std::vector<std::uint32_t> tips;  ///< Nodes at sharp points that no border and no crease leads to.
-  std::size_t blunted = 0;          ///< Sharp points left out, much nearer than a side to a line or to another one,
-  geom::Point3 blunted_at;          ///< and where one of them is.
+  std::size_t creases = 0;      ///< Lines kept.
+  std::size_t cut_creases = 0;  ///< Of them, those that a cut runs along: these are kept whatever `crease` is.
+  std::size_t narrow = 0;       ///< Creases left out, as they run close beside another line,
+  geom::Point3 narrow_at;       ///< and where one of them begins.
+  std::size_t loose = 0;        ///< Creases left out, as they are shorter than a side,
+  geom::Point3 loose_at;        ///< and where one of them begins.
 };
 
 /// Which creases become lines.
@@ -38,7 +35,7 @@ enum class Creases : std::uint8_t {
 /// Along each line between vertices that stay, as many sides as the sizes ask for, even by them; more where sides would
 /// cross others in the chart, as those of a line that turns to and fro may. Both sides of a cut get the same nodes.
 /// @param sizes  one a point of the sheet before the cut, m
-/// @param crease  degrees, of sharp points too; 180: none are kept
+/// @param crease  degrees; 180: none are kept
 Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease,
                        Creases creases = Creases::Clear);
 

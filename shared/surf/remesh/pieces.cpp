@@ -127,8 +127,6 @@ Result<Remeshed> remesh(const dobra::mesh::PolygonMesh& mesh, const RemeshOption
     all.cut_creases += made->cut_creases;
     all.narrow_creases += made->narrow_creases;
     all.short_creases += made->short_creases;
-    all.tips += made->tips;
-    all.blunted += made->blunted;
     all.folded += made->folded;
     all.area_before += made->area_before;
     all.rounds = std::max(all.rounds, made->rounds);

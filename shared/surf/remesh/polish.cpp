@@ -105,7 +105,6 @@ class Polisher {
     };
     keep(mesh_.boundary_sets);
     keep(mesh_.constraint_sets);
-    for (const std::uint32_t node : options_.stay) stays_[node] = true;
     std::map<Side, int> uses;
     for (const Corners& corners : mesh_.triangles) {
       for (std::size_t i = 0; i < 3; ++i) ++uses[side_of(corners[i], corners[(i + 1) % 3])];
@@ -265,7 +264,7 @@ class Polisher {
   const Sheet& before_;
   const TriangleTree& tree_;
   const base::Progress& progress_;
-  const PolishOptions& options_;
+  const PolishOptions options_;
   const double bent_least_;
   const std::vector<Vector3> normals_;
   std::vector<std::vector<CornerOf>> around_;  ///< One a node.

@@ -20,7 +20,6 @@
 #include "shared/surf/remesh/network.h"
 #include "shared/surf/remesh/one_sheet.h"
 #include "shared/surf/remesh/polish.h"
-#include "shared/surf/remesh/tips.h"
 #include "shared/surf/remesh/triangle_tree.h"
 #include "shared/surf/remesh/twice_joined.h"
 
@@ -119,22 +118,21 @@ class Remesher {
     Remeshed made;
     Point3 worst;
     std::vector<mesh::TriangleId> turned;
-    std::vector<std::uint32_t> tips;  // nodes
     for (int round = 0;; ++round) {
       const double from = static_cast<double>(round) / (options_.rounds + 1);
       const base::Progress step = progress.part(from, from + 1.0 / (options_.rounds + 1));
       std::size_t at = 0;
-      auto mesh = fill(made, tips, step, at);
+      auto mesh = fill(made, step, at);
       while (!mesh && mesh.error().code != ErrorCode::Cancelled && mesh.error().code != ErrorCode::InvalidOption &&
              change_guide(at, made, mesh.error()))
-        mesh = fill(made, tips, step, at);
+        mesh = fill(made, step, at);
       left_out_ = made.narrow_creases + made.short_creases > 0;
       if (!mesh) return in_space(mesh.error(), at);
       made.mesh = std::move(*mesh);
       made.flipped = 0;
       for (const auto& places : made.mesh.places)
         made.flipped += geom::orient2d(places[0], places[1], places[2]) == geom::Sign::Positive ? 0 : 1;
-      DOBRA_TRY(turned, polish(made.mesh, atlas_.before, tree_, step, {.stay = tips}));
+      DOBRA_TRY(turned, polish(made.mesh, atlas_.before, tree_, step));
       if (const auto sound = mesh::check(made.mesh); !sound)
         return too_large(sound.error().message, in_space_only(sound.error().place));
       if (size_ > box_.diagonal() && mesh::quality_of(made.mesh).boundary_edges == 0)
@@ -177,13 +175,6 @@ class Remesher {
                                            made.short_creases),
                                place_of(made.short_at)});
     }
-    if (made.blunted > 0) {
-      made.findings.push_back({"tip_left_out",
-                               fmt::format("sharp points of the mesh much nearer than a side to a line or to another "
-                                           "one, and left out: {}; give a smaller size to keep them",
-                                           made.blunted),
-                               place_of(made.blunted_at)});
-    }
     made.folded = turned.size();
     if (!turned.empty()) {
       made.findings.push_back(
@@ -209,7 +200,7 @@ class Remesher {
     Guide& guide = guides_[at];
     const base::Place place = in_space(why, at).place.value_or(base::Place{});
     const bool has_creases = made.creases > made.cut_creases;
-    if (guide.given_up == 0 && (has_creases || made.tips > 0)) {
+    if (guide.given_up == 0 && has_creases) {
       guide.surface = guide.pieces;
       ++guide.given_up;
       return true;
@@ -220,11 +211,6 @@ class Remesher {
                                fmt::format("not all lines at which the mesh folds are kept, left out are {}: {}",
                                            made.creases - made.cut_creases, why.message),
                                place});
-    }
-    if (made.tips > 0 && crease_ < 180.0) {
-      made.findings.push_back(
-          {"tip_left_out", fmt::format("sharp points of the mesh that are left out: {}: {}", made.tips, why.message),
-           place});
     }
     crease_ = 180.0;
     if (guide.given_up > smoothings.size()) return false;
@@ -326,17 +312,24 @@ class Remesher {
   /// The vertex inside whose angles have the sum furthest from 360 degrees.
   [[nodiscard]] Point3 sharpest() const {
     const Sheet& sheet = atlas_.before;
-    std::vector<double> lacks = angle_defects(sheet);
-    for (const auto& loop : sheet.loops) {
-      for (const std::uint32_t v : loop) lacks[v] = 0.0;
+    std::vector<double> sums(sheet.points.size(), 0.0);
+    for (param::HalfEdge h = 0; h < sheet.twins.size(); ++h) {
+      const Point3 p = sheet.points[sheet.start(h)];
+      const geom::Vector3 a = sheet.points[sheet.end(h)] - p;
+      const geom::Vector3 b = sheet.points[sheet.start(param::previous(h))] - p;
+      sums[sheet.start(h)] += std::atan2(geom::length(cross(a, b)), dot(a, b));
     }
-    const auto most = std::ranges::max_element(lacks, {}, [](double lack) { return std::abs(lack); });
-    return sheet.points[static_cast<std::size_t>(most - lacks.begin())];
+    for (const auto& loop : sheet.loops) {
+      for (const std::uint32_t v : loop) sums[v] = 2.0 * std::numbers::pi;
+    }
+    const auto off = [](double p, double q) {
+      return std::abs(p - 2.0 * std::numbers::pi) < std::abs(q - 2.0 * std::numbers::pi);
+    };
+    return sheet.points[static_cast<std::size_t>(std::max_element(sums.begin(), sums.end(), off) - sums.begin())];
   }
 
   /// @param at  on an error the part that it is of
-  Result<mesh::SurfaceMesh> fill(Remeshed& made, std::vector<std::uint32_t>& tips, const base::Progress& progress,
-                                 std::size_t& at) const {
+  Result<mesh::SurfaceMesh> fill(Remeshed& made, const base::Progress& progress, std::size_t& at) const {
     Network network = divide_network(atlas_, sizes_, options_.corner, crease_, creases_);
     made.creases = network.creases;
     made.cut_creases = network.cut_creases;
@@ -344,10 +337,6 @@ class Remesher {
     made.narrow_at = network.narrow_at;
     made.short_creases = network.loose;
     made.short_at = network.loose_at;
-    made.tips = network.tips.size();
-    made.blunted = network.blunted;
-    made.blunted_at = network.blunted_at;
-    tips = network.tips;
     mesh::Division division;
     division.nodes = network.nodes;
     std::vector<mesh::FaceMesh> faces;

@@ -20,8 +20,7 @@ struct RemeshOptions {
   double chord = 0.0;    ///< The new mesh is nowhere further from the old one, nor the old from it, m; 0 does not ask.
   double growth = 1.2;   ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double corner = 40.0;  ///< Degrees: vertices at which the border turns by more stay.
-  double crease = 40.0;  ///< Degrees: sides at which the sheet folds by more stay lines, and points that are as sharp
-                         ///< stay nodes; 180: none.
+  double crease = 40.0;  ///< Degrees: sides at which the sheet folds by more stay lines; 180: none.
   std::size_t enough = 20'000;  ///< A mesh of fewer triangles whose sides are longer than `size` is quartered first.
   int rounds = 6;               ///< So often it is meshed anew with smaller sizes where the chord asks for it.
   double area_off = 0.01;       ///< An area that differs by more than this part is told.
@@ -45,14 +44,11 @@ struct Remeshed {
   geom::Point3 narrow_at;          ///< and where one of them begins.
   std::size_t short_creases = 0;   ///< Left out, since they are shorter than a side,
   geom::Point3 short_at;           ///< and where one of them begins.
-  std::size_t tips = 0;            ///< Sharp points kept that no border and no crease leads to.
-  std::size_t blunted = 0;         ///< Sharp points left out, much nearer than a side to a line or to another one,
-  geom::Point3 blunted_at;         ///< and where one of them is.
   std::size_t folded = 0;          ///< Triangles that face against the mesh given.
   double area_before = 0.0;        ///< Of the mesh given, m2.
   int rounds = 0;
-  /// Those of Charted, and "pieces", "piece_kept", "parted", "folded", "rough", "crease_left_out", "tip_left_out",
-  /// "deviation_above", "area_off". No text names a unit: files of meshes have none.
+  /// Those of Charted, and "pieces", "piece_kept", "parted", "folded", "rough", "crease_left_out", "deviation_above",
+  /// "area_off". No text names a unit: files of meshes have none.
   std::vector<mesh::Finding> findings;
 };
 
