@@ -55,6 +55,7 @@ struct BlockCut {
 /// cut_flawed: what RECON has against a section.
 base::Finding flaw_finding(const base::Error& error);
 
+/// @pre the block was extruded: one between several sections has no sheets to name lines by.
 /// A plane in one of the block's ends gives the section of that end. A line that the plane cuts several times becomes
 /// pieces, "A (1)", "A (2)", ...; a hanging wall on the left is on the right where the cut is seen from behind.
 /// @error those of solid::Sections::cut.
