@@ -19,6 +19,7 @@ using geom::Point;
 using geom::Point3;
 using surf::mesh::Finding;
 using surf::trim::ChartEdge;
+using surf::trim::OnCrack;
 using surf::trim::TrimmedSurface;
 
 namespace {
@@ -37,8 +38,8 @@ bool encloses(const std::vector<Point>& way, Point p) {
 class Doubts {
  public:
   Doubts(const surf::Surface& surface, std::span<const DrawnTrim> drawn, std::span<const TrimmedSurface> parts,
-         const TrimmedSurface& left, const DoubtOptions& options)
-      : surface_(surface), drawn_(drawn), left_(left), options_(options) {
+         const TrimmedSurface& left, std::span<const OnCrack> on_cracks, const DoubtOptions& options)
+      : surface_(surface), drawn_(drawn), left_(left), on_cracks_(on_cracks), options_(options) {
     for (const DrawnTrim& trim : drawn) boxes_.push_back(geom::box_of(trim.places));
     for (const TrimmedSurface& part : parts) {
       for (const auto& loop : part.loops) add(loop.edges, true);
@@ -63,6 +64,7 @@ class Doubts {
         if (is_loop(drawn_[k].role) && !of_name(drawn_[k])) say_crossing(drawn_[i], drawn_[k]);
       }
     }
+    say_on_cracks();
     return std::move(findings_);
   }
 
@@ -173,6 +175,8 @@ class Doubts {
       say("cut_divides_nothing",
           fmt::format("the cut '{}' divides nothing: it must go from border to border, or from cut to cut", trim.name),
           open ? trim.places.front() : trim.places.back());
+    } else if (lies_on_crack(trim.name)) {
+      return;
     } else if (trim.role == TrimRole::Crack) {
       if (in_lines()) return;
       say("crack_opens_nothing",
@@ -181,6 +185,26 @@ class Doubts {
           middle);
     } else if (!in_lines() && !in_loops()) {
       say("line_left_out", fmt::format("the line '{}' lies outside what is left of the surface", trim.name), middle);
+    }
+  }
+
+  [[nodiscard]] bool lies_on_crack(const std::string& name) const {
+    return std::any_of(on_cracks_.begin(), on_cracks_.end(), [&](const OnCrack& piece) {
+      return std::find(piece.others.begin(), piece.others.end(), name) != piece.others.end();
+    });
+  }
+  /// Lines that run along cracks, each pair once.
+  void say_on_cracks() {
+    std::set<std::pair<std::string, std::string>> told;
+    for (const OnCrack& piece : on_cracks_) {
+      for (const std::string& other : piece.others) {
+        if (!told.emplace(piece.crack, other).second) continue;
+        say("line_on_crack",
+            fmt::format("'{}' runs along the crack '{}' here: the mesh is opened, and these sides are in the set of "
+                        "'{}' alone",
+                        other, piece.crack, piece.crack),
+            piece.at);
+      }
     }
   }
 
@@ -265,6 +289,7 @@ class Doubts {
   const surf::Surface& surface_;
   std::span<const DrawnTrim> drawn_;
   const TrimmedSurface& left_;
+  std::span<const OnCrack> on_cracks_;
   DoubtOptions options_;
   std::vector<geom::Box> boxes_;  ///< One a trim.
   std::vector<Piece> pieces_;
@@ -276,8 +301,8 @@ class Doubts {
 
 std::vector<Finding> trim_doubts(const surf::Surface& surface, std::span<const DrawnTrim> drawn,
                                  std::span<const TrimmedSurface> parts, const TrimmedSurface& left,
-                                 const DoubtOptions& options) {
-  return Doubts(surface, drawn, parts, left, options).run();
+                                 std::span<const OnCrack> on_cracks, const DoubtOptions& options) {
+  return Doubts(surface, drawn, parts, left, on_cracks, options).run();
 }
 
 }  // namespace quebra::surfaces

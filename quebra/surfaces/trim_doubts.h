@@ -9,6 +9,7 @@
 
 #include "quebra/surfaces/trim_params.h"
 #include "shared/surf/mesh/surface_mesh.h"
+#include "shared/surf/trim/recognise.h"
 #include "shared/surf/trim/trimmed_surface.h"
 
 namespace quebra::surfaces {
@@ -28,13 +29,15 @@ struct DoubtOptions {
 
 /// @param parts  all faces that the trims make of the chart
 /// @param left   what is left of it
-/// @return codes cut_divides_nothing, crack_opens_nothing, line_left_out, line_short, loop_bounds_nothing, trims_cross;
-///         places in the chart
+/// @param on_cracks  what cracks that are left have in common with other lines
+/// @return codes cut_divides_nothing, crack_opens_nothing, line_left_out, line_on_crack, line_short,
+///         loop_bounds_nothing, trims_cross; places in the chart
 /// @cost O(n^2) in the edges of all parts
 std::vector<dobra::surf::mesh::Finding> trim_doubts(const dobra::surf::Surface& surface,
                                                     std::span<const DrawnTrim> drawn,
                                                     std::span<const dobra::surf::trim::TrimmedSurface> parts,
                                                     const dobra::surf::trim::TrimmedSurface& left,
+                                                    std::span<const dobra::surf::trim::OnCrack> on_cracks,
                                                     const DoubtOptions& options = {});
 
 }  // namespace quebra::surfaces

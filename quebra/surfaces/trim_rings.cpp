@@ -32,10 +32,10 @@ class RingMaker {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (used_[i] != 0) continue;
       used_[i] = 1;
-      TrimRing ring{trim_.role, trim_.name, pieces_[i]};
+      TrimRing ring{trim_.role, trim_.name, pieces_[i], {i}};
       int tries = most_tries;
-      if (!closes(ring.places, tries)) {
-        while (!comes_back(ring.places) && goes_on(ring.places)) {
+      if (!closes(ring, tries)) {
+        while (!comes_back(ring.places) && goes_on(ring)) {
         }
       }
       DOBRA_TRY_VOID(has_inside(ring.places));
@@ -67,7 +67,8 @@ class RingMaker {
 
   /// Adds pieces until the way is a ring that does not go round the surface. Where curves cross in a touching several
   /// go on, and each is tried.
-  bool closes(std::vector<Point>& way, int& tries) {
+  bool closes(TrimRing& ring, int& tries) {
+    std::vector<Point>& way = ring.places;
     if (comes_back(way)) return distance(way.front(), way.back()) <= near_;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (used_[i] != 0) continue;
@@ -76,8 +77,10 @@ class RingMaker {
       if (--tries < 0) return false;
       const std::size_t before = way.size();
       way.insert(way.end(), piece->begin(), piece->end());
+      ring.lines.push_back(i);
       used_[i] = 1;
-      if (closes(way, tries)) return true;
+      if (closes(ring, tries)) return true;
+      ring.lines.pop_back();
       way.resize(before);
       used_[i] = 0;
     }
@@ -85,7 +88,8 @@ class RingMaker {
   }
 
   /// Adds a piece that goes on from the end of the way, or from its beginning.
-  bool goes_on(std::vector<Point>& way) {
+  bool goes_on(TrimRing& ring) {
+    std::vector<Point>& way = ring.places;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (used_[i] != 0) continue;
       if (const auto after = from(way.back(), i)) {
@@ -95,6 +99,7 @@ class RingMaker {
       } else {
         continue;
       }
+      ring.lines.push_back(i);
       used_[i] = 1;
       return true;
     }

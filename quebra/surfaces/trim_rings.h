@@ -17,10 +17,11 @@ struct TrimRing {
   TrimRole role = TrimRole::Hole;
   std::string name;
   std::vector<dobra::geom::Point> places;  ///< Closed; over a seam it goes on beyond the chart.
+  std::vector<std::size_t> lines = {};     ///< Of which it consists.
 };
 
 /// @param pieces  ways in the chart, each followed in the direction of the cut
-/// @return closed ways
+/// @return closed ways, with the numbers of their pieces
 /// @error BadDomain with u and v of the chart: a way that goes round the surface, or from one side to another one.
 /// @cost O(n^2) in the pieces
 dobra::base::Result<std::vector<TrimRing>> rings_of_cut(const dobra::surf::Surface& surface, const TrimParams& trim,

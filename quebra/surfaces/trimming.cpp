@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
 
 #include "quebra/surfaces/trim_doubts.h"
 #include "shared/geom/polyline.h"
 #include "shared/geom/predicates.h"
+#include "shared/geom/segment.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/surf/closest.h"
 #include "shared/surf/measure.h"
@@ -158,7 +160,7 @@ Result<void> Trimming::add(const TrimParams& trim, const std::optional<surf::Sur
     points_.push_back({drawn.edges.front().start(), {}, trim.tip_size});
     points_.push_back({drawn.edges.back().end(), {}, trim.tip_size});
   }
-  if (is_loop(trim.role)) rings_.push_back({trim.role, trim.name, samples(drawn.edges)});
+  if (is_loop(trim.role)) rings_.push_back({trim.role, trim.name, samples(drawn.edges), {drawn_.size()}});
   drawn_.push_back(std::move(drawn));
   return {};
 }
@@ -192,6 +194,7 @@ Result<void> Trimming::add_cut(const TrimParams& trim, const std::optional<surf:
 /// Edges that follow each other become lines, closed ones where they come back.
 Result<void> Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edges) {
   std::vector<std::vector<Point>> ways;
+  const std::size_t before = drawn_.size();
   const double near = 1e-9 * std::max(surface_.chart().width(), surface_.chart().height());
   const auto branches = [&](Point p) {
     const auto ends = [&](const ChartEdge& e) {
@@ -210,7 +213,10 @@ Result<void> Trimming::chain(const TrimParams& trim, std::vector<ChartEdge> edge
   }
   auto rings = rings_of_cut(surface_, trim, ways);
   if (!rings) return as_written(rings.error());
-  rings_.insert(rings_.end(), rings->begin(), rings->end());
+  for (TrimRing& ring : *rings) {
+    for (std::size_t& line : ring.lines) line += before;
+    rings_.push_back(std::move(ring));
+  }
   return {};
 }
 
@@ -299,6 +305,37 @@ bool Trimming::encloses(const std::vector<Point>& contour, Point p) const {
   return false;
 }
 
+double Trimming::away_from(const std::vector<Point>& contour, Point p) const {
+  const geom::Box& box = surface_.chart();
+  const auto part = [&](Point q) { return Point{q.x / box.width(), q.y / box.height()}; };
+  double least = std::numeric_limits<double>::infinity();
+  for (const double u : {0.0, -1.0, 1.0}) {
+    for (const double v : {0.0, -1.0, 1.0}) {
+      if ((u != 0.0 && !surface_.closed_u()) || (v != 0.0 && !surface_.closed_v())) continue;
+      const Point there = part(p) + geom::Vector{u, v};
+      for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++)
+        least = std::min(least, geom::distance(geom::Segment{part(contour[j]), part(contour[i])}, there));
+    }
+  }
+  return least;
+}
+
+/// Sides are known from the arcs; which of them is inside is seen at the place that is farthest from the ring, where
+/// the chords between its samples are as good as itself.
+Result<std::vector<std::uint8_t>> Trimming::inside_of(const TrimRing& ring, const surf::trim::Recognised& recognised,
+                                                      const std::vector<Point>& inner) const {
+  DOBRA_TRY(std::vector<std::uint8_t> sides, recognised.sides_of(ring.lines));
+  std::size_t best = 0;
+  double farthest = -1.0;
+  for (std::size_t f = 0; f < inner.size(); ++f) {
+    const double away = away_from(ring.places, inner[f]);
+    if (away > farthest) farthest = away, best = f;
+  }
+  const bool ones = (sides[best] != 0) == encloses(ring.places, inner[best]);
+  for (std::uint8_t& side : sides) side = (side != 0) == ones ? 1 : 0;
+  return sides;
+}
+
 Error Trimming::as_written(Error error) const {
   if (error.place && error.place->u && error.place->v) {
     const Point told = units_.out({*error.place->u, *error.place->v});
@@ -312,19 +349,24 @@ Result<void> Trimming::keep(const surf::trim::Recognised& recognised, model::Sur
   std::vector<std::uint8_t> stays(count, 1), asked(count, 0);
   const bool outlines =
       std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn& d) { return d.role == TrimRole::Outline; });
+  std::vector<Point> inner;
   for (std::size_t f = 0; f < count; ++f) {
     if (recognised.faces()[f].loops.empty())
       return refused("what the lines of this surface bound cannot be told: draw them so that none passes its own end",
                      surface_.chart().centre());
-    const Point p = point_inside(recognised.faces()[f]);
-    bool outlined = !outlines;
-    for (const TrimRing& ring : rings_) {
-      if (!encloses(ring.places, p)) continue;
-      if (ring.role == TrimRole::Hole) stays[f] = 0;
-      if (ring.role == TrimRole::Outline) outlined = true;
-    }
-    if (!outlined) stays[f] = 0;
+    inner.push_back(point_inside(recognised.faces()[f]));
   }
+  std::vector<std::uint8_t> outlined(count, outlines ? 0 : 1);
+  for (const TrimRing& ring : rings_) {
+    const auto inside = inside_of(ring, recognised, inner);
+    if (!inside) return as_written(inside.error());
+    for (std::size_t f = 0; f < count; ++f) {
+      if ((*inside)[f] == 0) continue;
+      if (ring.role == TrimRole::Hole) stays[f] = 0;
+      if (ring.role == TrimRole::Outline) outlined[f] = 1;
+    }
+  }
+  for (std::size_t f = 0; f < count; ++f) stays[f] = stays[f] != 0 && outlined[f] != 0 ? 1 : 0;
   const std::vector<std::uint8_t> solid = stays;
   bool some_kept = false;
   for (const Picked& part : parts_) {
@@ -416,7 +458,7 @@ Result<TrimmedSurface> Trimming::face(surf::trim::SharedNumbers& numbers, std::v
   for (const Drawn& trim : drawn_) {
     if (!is_loop(trim.role)) drawn.push_back({trim.role, trim.name, trim.closed, samples(trim.edges)});
   }
-  for (const Finding& doubt : trim_doubts(surface_, drawn, recognised->faces(), face)) {
+  for (const Finding& doubt : trim_doubts(surface_, drawn, recognised->faces(), face, recognised->on_cracks(wanted))) {
     const Error told = as_written({ErrorCode::BadDomain, doubt.message, doubt.place});
     findings.push_back({doubt.code, doubt.message, *told.place});
   }

@@ -59,6 +59,12 @@ class Trimming {
   };
   /// Beyond a closed direction by whole periods too.
   [[nodiscard]] bool encloses(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
+  /// By parts of the chart.
+  [[nodiscard]] double away_from(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
+  /// Which faces lie inside a ring. @param inner  a place in each face
+  [[nodiscard]] dobra::base::Result<std::vector<std::uint8_t>> inside_of(
+      const TrimRing& ring, const dobra::surf::trim::Recognised& recognised,
+      const std::vector<dobra::geom::Point>& inner) const;
   [[nodiscard]] dobra::base::Error as_written(dobra::base::Error error) const;
   /// Fills in which parts are meant.
   [[nodiscard]] dobra::base::Result<void> keep(const dobra::surf::trim::Recognised& recognised,

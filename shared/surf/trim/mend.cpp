@@ -101,7 +101,7 @@ class Mender {
   /// Loops that run along both sides of a seam bound nothing there.
   void find_sewn() {
     sewn_.assign(left_.size(), 0);
-    for (const auto& [low, high] : found_.seams) {
+    for (const auto& [low, high] : found_.state->seams) {
       if (loops_along(low) % 2 == 1 && loops_along(high) % 2 == 1) sewn_[low] = sewn_[high] = 1;
     }
   }
@@ -117,7 +117,7 @@ class Mender {
       if (!sides_.relate(left_[a], right_[a], divides)) return false;
     }
     const std::size_t outside = Subdivision::unbounded().index();
-    for (const auto& [low, high] : found_.seams) {
+    for (const auto& [low, high] : found_.state->seams) {
       if (sewn_[low] == 0 && (loops_along(low) % 2 == 1 || loops_along(high) % 2 == 1)) continue;
       const auto inner = [&](std::size_t a) { return left_[a] == outside ? right_[a] : left_[a]; };
       if (!sides_.relate(inner(low), inner(high), false)) return false;

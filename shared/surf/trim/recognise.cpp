@@ -78,8 +78,9 @@ class Recogniser {
     auto pairs = seam_pairs(s.surface, s.arcs, s.options.same);
     find_parts(pairs);
     number_seams(pairs);
+    s.seams = std::move(pairs);
     findings_.insert(findings_.begin(), strands.findings.begin(), strands.findings.end());
-    return Analysed{made_, std::move(findings_), std::move(meetings), std::move(pairs)};
+    return Analysed{made_, std::move(findings_), std::move(meetings)};
   }
 
  private:
@@ -121,16 +122,25 @@ class Recogniser {
       edge.to = std::lerp(own.edge.from, own.edge.to, arc.to);
       edge = with_ends(edge, s.arcs.chart, s.arcs.uv(s.arcs.vertices[arc.start]), s.arcs.uv(s.arcs.vertices[arc.end]),
                        1e-12);
+      const bool only_cracks = std::all_of(arc.along.begin(), arc.along.end(), [&](const Along& each) {
+        const Strand& strand = s.arcs.strands[each.strand];
+        return strand.side.has_value() || strand.kind == ChartLine::Kind::Crack;
+      });
+      // A crack gives its name to a border only where nothing else does.
+      const auto counts = [&](const Strand& strand) { return only_cracks || strand.kind != ChartLine::Kind::Crack; };
+      if (!counts(own)) edge.name.clear();
       bool bounds = false;
-      std::size_t line = own.line;
+      std::size_t line = counts(own) ? own.line : lines;
       ChartLine::Kind kind = ChartLine::Kind::Constraint;
       for (const Along& each : arc.along) {
         const Strand& strand = s.arcs.strands[each.strand];
         bounds = bounds || strand.bounds;
         kind = std::max(kind, strand.kind);
-        if (own.side && !strand.side && !strand.edge.name.empty()) edge.name = strand.edge.name;
-        if (strand.line < lines) line = std::min(line, strand.line);
-        if (edge.name.empty()) edge.name = strand.edge.name;
+        if (counts(strand)) {
+          if (own.side && !strand.side && !strand.edge.name.empty()) edge.name = strand.edge.name;
+          if (strand.line < lines) line = std::min(line, strand.line);
+          if (edge.name.empty()) edge.name = strand.edge.name;
+        }
         if (!strand.edge.shared) continue;
         if (own.edge.shared && &each != &arc.along.front()) {
           if (own.edge.shared != strand.edge.shared)
@@ -150,7 +160,28 @@ class Recogniser {
       s.bounds.push_back(bounds ? 1 : 0);
       s.line.push_back(line);
       s.kind.push_back(kind);
+      s.cracks.push_back(crack_on(arc));
     }
+  }
+
+  /// The first of the cracks that run along an arc.
+  [[nodiscard]] std::optional<CrackOnArc> crack_on(const Arc& arc) const {
+    const std::vector<Strand>& strands = made_->arcs.strands;
+    const Along* first = nullptr;
+    for (const Along& each : arc.along) {
+      if (strands[each.strand].kind != ChartLine::Kind::Crack) continue;
+      if (first == nullptr || strands[each.strand].line < strands[first->strand].line) first = &each;
+    }
+    if (first == nullptr) return std::nullopt;
+    const Strand& own = strands[first->strand];
+    CrackOnArc crack{own.edge.name, own.line, first->strand, std::min(first->from, first->to), first->against, {}};
+    for (const Along& each : arc.along) {
+      const Strand& strand = strands[each.strand];
+      const std::string& name = strand.edge.name;
+      if (strand.side || name.empty() || name == crack.name) continue;
+      if (std::find(crack.others.begin(), crack.others.end(), name) == crack.others.end()) crack.others.push_back(name);
+    }
+    return crack;
   }
 
   void tell_two_numbers(SharedCurveId kept, SharedCurveId lost, Point uv) {

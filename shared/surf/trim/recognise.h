@@ -50,6 +50,13 @@ enum class CommonLines : std::uint8_t {
   Drop,  ///< They vanish.
 };
 
+/// A piece that a crack and other lines have in common. It is opened, and is in the set of the crack alone.
+struct OnCrack {
+  std::string crack;
+  std::vector<std::string> others;
+  geom::Point at;  ///< Its middle, in the chart.
+};
+
 class Recognised {
  public:
   /// By their largest outer loop, from the least (u, v) of it. Of each the outer loops come first, then its holes;
@@ -65,6 +72,14 @@ class Recognised {
   [[nodiscard]] base::Result<std::size_t> pick(geom::Point uv) const;
   /// Some faces as one. @pre numbers of faces
   [[nodiscard]] TrimmedSurface united(std::span<const std::size_t> faces, CommonLines common) const;
+
+  /// On which side of closed lines, taken as one drawing, each of faces() lies: 0 or 1, and the other one across them.
+  /// It follows from the arcs between the faces, so that no face is too thin. Which number is inside is not told.
+  /// @param lines  numbers of lines as they were given
+  /// @error CannotMesh with the place: the lines do not close.
+  [[nodiscard]] base::Result<std::vector<std::uint8_t>> sides_of(std::span<const std::size_t> lines) const;
+  /// Within some faces, or between them. @pre numbers of faces
+  [[nodiscard]] std::vector<OnCrack> on_cracks(std::span<const std::size_t> faces) const;
 
   struct State;
   Recognised(std::shared_ptr<const State> state, std::vector<Finding> findings);

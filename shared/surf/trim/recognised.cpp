@@ -49,15 +49,25 @@ std::vector<ChartLine> Recognised::State::lines_inside(const Parts& of, int numb
   for (std::size_t a = 0; a < edges.size(); ++a) {
     if (inside[a] != 0) order.push_back(a);
   }
-  const auto key = [&](std::size_t a) { return std::tuple(line[a], arcs.arcs[a].strand, arcs.arcs[a].from); };
+  const auto line_of = [&](std::size_t a) { return cracks[a] ? cracks[a]->line : line[a]; };
+  const auto key = [&](std::size_t a) {
+    return cracks[a] ? std::tuple(cracks[a]->line, cracks[a]->strand, cracks[a]->from)
+                     : std::tuple(line[a], arcs.arcs[a].strand, arcs.arcs[a].from);
+  };
+  const auto starts = [&](std::size_t a) {
+    return cracks[a] && cracks[a]->against ? arcs.arcs[a].end : arcs.arcs[a].start;
+  };
+  const auto ends = [&](std::size_t a) {
+    return cracks[a] && cracks[a]->against ? arcs.arcs[a].start : arcs.arcs[a].end;
+  };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   std::vector<ChartLine> lines;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t a = order[i];
-    const bool goes_on = i > 0 && line[order[i - 1]] == line[a] && kind[order[i - 1]] == kind[a] &&
-                         arcs.arcs[order[i - 1]].end == arcs.arcs[a].start;
+    const bool goes_on = i > 0 && line_of(order[i - 1]) == line_of(a) && kind[order[i - 1]] == kind[a] &&
+                         ends(order[i - 1]) == starts(a);
     if (!goes_on) lines.push_back({{}, kind[a]});
-    lines.back().edges.push_back(edges[a]);
+    lines.back().edges.push_back(edge_inside(a));
   }
   return lines;
 }

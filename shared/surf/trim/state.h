@@ -7,16 +7,27 @@
 
 namespace dobra::surf::trim {
 
+/// The crack that runs along an arc.
+struct CrackOnArc {
+  std::string name;
+  std::size_t line = 0, strand = 0;
+  double from = 0.0;     ///< Where on the strand it begins, in the direction of the strand.
+  bool against = false;  ///< It runs against the arc.
+  std::vector<std::string> others;
+};
+
 struct Recognised::State {
   Surface surface;
   RecogniseOptions options;
   Arcs arcs;
   Faces faces;
   Parts parts;                   ///< One a face of the subdivision: which of faces(); -1 outside.
-  std::vector<ChartEdge> edges;  ///< One an arc, in its direction.
+  std::vector<ChartEdge> edges;  ///< One an arc, in its direction; called as what bounds there.
   std::vector<std::uint8_t> bounds;
   std::vector<std::size_t> line;
   std::vector<ChartLine::Kind> kind;
+  std::vector<std::optional<CrackOnArc>> cracks;           ///< One an arc: it is opened there where it lies inside.
+  std::vector<std::pair<std::size_t, std::size_t>> seams;  ///< Arcs on both sides of a seam.
   int count = 0;
 
   explicit State(Surface of) : surface(std::move(of)) {}
@@ -25,6 +36,13 @@ struct Recognised::State {
     if (forward) return made;
     std::swap(made.from, made.to);
     made.against = !made.against;
+    return made;
+  }
+  /// As a line inside: a crack comes before what runs along with it.
+  [[nodiscard]] ChartEdge edge_inside(std::size_t arc) const {
+    if (!cracks[arc]) return edges[arc];
+    ChartEdge made = edge(arc, !cracks[arc]->against);
+    made.name = cracks[arc]->name;
     return made;
   }
   [[nodiscard]] TrimmedSurface face(const Parts& of, int number, CommonLines common) const;
@@ -36,7 +54,6 @@ struct Analysed {
   std::shared_ptr<Recognised::State> state;
   std::vector<Finding> findings;
   std::vector<Meeting> meetings;
-  std::vector<std::pair<std::size_t, std::size_t>> seams;  ///< Arcs on both sides of a seam.
 };
 base::Result<Analysed> analysed(const Surface& surface, std::span<const TrimLine> lines, SharedNumbers& numbers,
                                 const RecogniseOptions& options);

@@ -131,6 +131,73 @@ TEST(Recognise, CirclesThatCrossMakeLensAndLunes) {
   EXPECT_NEAR(chart_area(dropped), pi, 1e-10);
 }
 
+TEST(Recognise, SidesOfLinesAreKnownOfFacesHoweverThin) {
+  for (const double over : {0.5, 0.02, 1e-3, 1e-5}) {
+    const auto found = recognise(square(10), std::vector{circle({4, 5}, 1), circle({6 - over, 5}, 1)});
+    ASSERT_TRUE(found.ok()) << found.error().message;
+    ASSERT_EQ(found->faces().size(), 4U);
+    const double cap = std::acos(1 - over / 2) - (1 - over / 2) * std::sqrt(over - over * over / 4), lens = 2 * cap;
+    const auto within = [&](std::vector<std::size_t> lines) {
+      const auto sides = found->sides_of(lines);
+      EXPECT_TRUE(sides.ok());
+      const std::size_t plate = *found->pick({0.1, 0.1});
+      double area = 0.0;
+      for (std::size_t f = 0; sides && f < sides->size(); ++f)
+        area += (*sides)[f] != (*sides)[plate] ? chart_area(found->faces()[f]) : 0.0;
+      return area;
+    };
+    EXPECT_NEAR(within({0}), pi, 1e-9) << over;
+    EXPECT_NEAR(within({1}), pi, 1e-9) << over;
+    EXPECT_NEAR(within({0, 1}), 2 * pi - 2 * lens, 1e-9) << over;  // in one of them
+    EXPECT_EQ(within({}), 0.0);
+  }
+}
+
+TEST(Recognise, ALineThatClosesOnlyRoundTheSurfaceHasNoSides) {
+  const Surface pipe = *Surface::cylinder({}, 1, {{0, 0}, {2 * pi, 4}});
+  const auto along = recognise(pipe, std::vector{TrimLine{{{straight({2, 0}, {2, 4})}}}});
+  ASSERT_TRUE(along.ok()) << along.error().message;
+  const auto sides = along->sides_of(std::vector<std::size_t>{0});
+  ASSERT_FALSE(sides.ok());
+  EXPECT_EQ(sides.error().code, base::ErrorCode::CannotMesh);
+  EXPECT_TRUE(sides.error().place.has_value());
+  // Over the seam it is a line as anywhere else.
+  const auto round = recognise(pipe, std::vector{circle({0.1, 2}, 1)});
+  ASSERT_TRUE(round.ok()) << round.error().message;
+  const auto both = round->sides_of(std::vector<std::size_t>{0});
+  ASSERT_TRUE(both.ok());
+  EXPECT_NE(both->at(*round->pick({0.1, 2})), both->at(*round->pick({3, 2})));
+  EXPECT_EQ(round->pick({6.2, 2}).value(), round->pick({0.1, 2}).value());
+}
+
+TEST(Recognise, ACrackAlongOtherLinesIsACrackWithItsNameAndDirection) {
+  const auto line = [](Point a, Point b, const char* name, ChartLine::Kind kind) {
+    return TrimLine{{{straight(a, b, name)}, kind}, false, false};
+  };
+  const TrimLine wall = line({5, 0}, {5, 10}, "w", ChartLine::Kind::Constraint);
+  const TrimLine crack = line({5, 7}, {5, 3}, "k", ChartLine::Kind::Crack);
+  for (const auto& lines : {std::vector{wall, crack}, std::vector{crack, wall}}) {
+    const auto found = recognise(square(10), lines);
+    ASSERT_TRUE(found.ok()) << found.error().message;
+    ASSERT_EQ(found->faces().size(), 1U);
+    double opened = 0.0, along = 0.0;
+    for (const ChartLine& each : found->faces()[0].lines) {
+      for (const ChartEdge& edge : each.edges) {
+        const bool is_crack = each.kind == ChartLine::Kind::Crack;
+        EXPECT_EQ(edge.name, is_crack ? "k" : "w");
+        (is_crack ? opened : along) += edge.end().y - edge.start().y;
+      }
+    }
+    EXPECT_NEAR(opened, -4.0, 1e-12);
+    EXPECT_NEAR(along, 6.0, 1e-12);
+    const auto common = found->on_cracks(std::vector<std::size_t>{0});
+    ASSERT_EQ(common.size(), 1U);
+    EXPECT_EQ(common[0].crack, "k");
+    EXPECT_EQ(common[0].others, std::vector<std::string>{"w"});
+    EXPECT_NEAR(common[0].at.y, 5.0, 1e-12);
+  }
+}
+
 TEST(Recognise, LinesThatTouchOverlapAndEndAnywhere) {
   // Two lines that overlap in part, one that ends in the other, one that dangles, all from border to border or less.
   std::vector<TrimLine> lines;
