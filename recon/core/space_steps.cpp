@@ -119,14 +119,14 @@ void add_surface_outputs(const std::shared_ptr<const model::Model>& model, std::
 }  // namespace
 
 base::Result<model::Model> run_surface(const model::Model& model, const space::SurfaceParams& params,
-                                       const scenario::Context&, const base::Progress&) {
+                                       const scenario::Context&, const base::Progress& progress) {
   const auto* placed = model.findings.get<space::PlacedSections>();
   if (placed == nullptr)
     return base::Error{base::ErrorCode::CannotRestore,
                        "the document holds one section; name several in [[input.section]], each with its file and its "
                        "trace"};
   model::Model next = model;
-  DOBRA_TRY(space::MadeSurfaces made, make_surfaces(*placed, params));
+  DOBRA_TRY(space::MadeSurfaces made, make_surfaces(*placed, params, progress));
   next.findings.set(std::move(made), {});
   return next;
 }

@@ -24,7 +24,7 @@ SurfaceRow row_of(const loft::NamedSurface& surface, const loft::Surfaces& all) 
   return row;
 }
 
-std::vector<VolumeRow> volumes_of(MadeSurfaces& made) {
+Result<std::vector<VolumeRow>> volumes_of(MadeSurfaces& made, const base::Progress& progress) {
   std::vector<std::size_t> horizons;
   for (std::size_t i = 0; i < made.rows.size(); ++i) {
     if (made.rows[i].kind == loft::LineKind::Horizon) horizons.push_back(i);
@@ -35,6 +35,7 @@ std::vector<VolumeRow> volumes_of(MadeSurfaces& made) {
   std::vector<VolumeRow> volumes;
   for (std::size_t k = 1; k < horizons.size(); ++k) {
     const auto &upper = made.made.surfaces[horizons[k - 1]], &lower = made.made.surfaces[horizons[k]];
+    DOBRA_TRY_VOID(progress.check());
     VolumeRow row{upper.name, lower.name, loft::volume_between(upper, lower, made.made.surfaces)};
     made.made.findings.insert(made.made.findings.end(), row.volume.findings.begin(), row.volume.findings.end());
     volumes.push_back(std::move(row));
@@ -72,7 +73,8 @@ std::vector<loft::Finding> join_single_pieces(std::vector<loft::Section>& sectio
 
 }  // namespace
 
-Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfaceParams& params) {
+Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfaceParams& params,
+                                   const base::Progress& progress) {
   std::vector<loft::Section> sections;
   for (const PlacedSection& one : placed.sections) sections.push_back(lines_of(one));
   std::vector<loft::Finding> joined = join_single_pieces(sections);
@@ -97,12 +99,13 @@ Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfacePa
   }
   made.made.findings.insert(made.made.findings.end(), joined.begin(), joined.end());
   for (const loft::NamedSurface& surface : made.made.surfaces) {
+    DOBRA_TRY_VOID(progress.check());
     made.rows.push_back(row_of(surface, made.made));
     if (!params.contours) continue;
     DOBRA_TRY(std::vector<loft::Contour> lines, loft::contours(surface, *params.contours));
     made.contours.push_back(std::move(lines));
   }
-  made.volumes = volumes_of(made);
+  DOBRA_TRY(made.volumes, volumes_of(made, progress));
   return made;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "recon/space/placed.h"
+#include "shared/base/progress.h"
 #include "shared/surf/loft/cut.h"
 #include "shared/surf/loft/measures.h"
 #include "shared/surf/loft/through.h"
@@ -67,6 +68,7 @@ struct MadeSurfaces {
 };
 
 /// @error those of surfaces_through(), with names of sections; BadSection: no surface at all; TooManyElements
-base::Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfaceParams& params);
+base::Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfaceParams& params,
+                                         const base::Progress& progress = {});
 
 }  // namespace recon::space

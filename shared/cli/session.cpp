@@ -18,16 +18,18 @@ namespace {
 
 std::atomic<const base::CancelToken*> interrupted_token{nullptr};
 
+constexpr int interrupted_code = 130;
 constexpr unsigned patience = 5;  ///< Seconds in which work may end by itself.
 
 extern "C" void on_interrupt(int) {
   if (const base::CancelToken* token = interrupted_token.load()) token->cancel();
   alarm(patience);
 }
-/// Work that did not listen ends as by a second signal.
+/// Work that did not listen ends with the code and the word of an interruption.
 extern "C" void on_alarm(int) {
-  signal(SIGTERM, SIG_DFL);
-  raise(SIGTERM);
+  constexpr char said[] = "interrupted\n";
+  if (::write(STDERR_FILENO, said, sizeof said - 1) < 0) _exit(interrupted_code);
+  _exit(interrupted_code);
 }
 
 void set_handler(void (*handler)(int), int flags) {

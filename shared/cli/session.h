@@ -50,9 +50,9 @@ class Session {
 /// @error CannotWrite if it is closed or full.
 base::Result<void> print(const std::string& text);
 
-/// While it lives, SIGINT and SIGTERM cancel its token; a second one ends the program at once, and so does it where
-/// work has not ended five seconds after the first. Programs make one first of all, so that a signal finds it from the
-/// start; a further one shares its token.
+/// While it lives, SIGINT and SIGTERM cancel its token; a second one ends the program at once. Where work has not ended
+/// five seconds after the first, the program ends with 130. Programs make one first of all, so that a signal finds it
+/// from the start; a further one shares its token.
 class Interruption {
  public:
   Interruption();

@@ -7,6 +7,7 @@
 
 #include "shared/geom/box.h"
 #include "shared/geom/polyline.h"
+#include "shared/surf/loft/overturned.h"
 #include "shared/surf/loft/strips.h"
 #include "shared/surf/measure.h"
 
@@ -87,15 +88,7 @@ Dip dip_of(Vector3 normal) {
 /// The border on the map, round the chart.
 geom::Polyline border(const Patch& patch) {
   geom::Polyline line{{}, true};
-  const std::size_t n = patch.u.size(), m = patch.v.size();
-  const auto add = [&](std::size_t i, std::size_t j) {
-    const Point3 p = patch.points[i * m + j];
-    line.points.push_back({p.x, p.y});
-  };
-  for (std::size_t i = 0; i + 1 < n; ++i) add(i, 0);
-  for (std::size_t j = 0; j + 1 < m; ++j) add(n - 1, j);
-  for (std::size_t i = n - 1; i > 0; --i) add(i, m - 1);
-  for (std::size_t j = m - 1; j > 0; --j) add(0, j);
+  for (const Point3 p : border_of(patch)) line.points.push_back({p.x, p.y});
   return line;
 }
 
@@ -260,6 +253,35 @@ Pairs pairs_of(const std::vector<PlanTriangle>& upper, const std::vector<PlanTri
   return pairs;
 }
 
+/// Fills in the volume of horizons that end on an overturned limb, where it can be told; the map says nothing of it.
+bool over_itself(const NamedSurface& upper, const NamedSurface& lower, bool unfaulted, Volume& volume) {
+  const auto end = overturned_end(upper), lower_end = overturned_end(lower);
+  if (!end && !lower_end) return false;
+  const NamedSurface& of = end ? upper : lower;
+  const Point3 at = end ? *end : *lower_end;
+  const std::string item = fmt::format("{} '{}'", kind_name(of.kind), of.name);
+  const auto closed = unfaulted ? closed_volume(upper, lower) : std::nullopt;
+  if (closed) {
+    volume.value = *closed;
+    volume.plan = std::min(measures(upper).plan, measures(lower).plan);
+    volume.findings.push_back(
+        {"overturned_end",
+         fmt::format("'{}' ends on an overturned limb here: the volume is that of the body which '{}' and '{}' close "
+                     "straight from end to end, and areas on the map have overturned parts taken off; whether the two "
+                     "cross is not looked for",
+                     of.name, upper.name, lower.name),
+         {.item = item, .x = at.x, .y = at.y, .z = at.z}});
+    return true;
+  }
+  volume.findings.push_back(
+      {"overturned_end",
+       fmt::format("'{}' ends on an overturned limb here: what lies over itself counts for nothing, and the volume "
+                   "between '{}' and '{}' is off; draw it on to its upright limb, or end it at the hinge",
+                   of.name, upper.name, lower.name),
+       {.item = item, .x = at.x, .y = at.y, .z = at.z}});
+  return false;
+}
+
 }  // namespace
 
 std::vector<Dip> dips(const Patch& patch) {
@@ -293,6 +315,7 @@ Volume volume_between(const NamedSurface& upper, const NamedSurface& lower, cons
   Volume volume;
   volume.unsure = strips.unsure;
   volume.findings = std::move(strips.findings);
+  if (over_itself(upper, lower, strips.upper.empty() && strips.lower.empty(), volume)) return volume;
   const double size = upper.patches.front().surface.size();
   const Pairs pairs = pairs_of(plan_triangles(upper, strips.upper), plan_triangles(lower, strips.lower));
   volume.value = pairs.value;

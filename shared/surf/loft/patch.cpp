@@ -64,4 +64,14 @@ base::Result<Patch> lattice(Surface surface, const LatticeLines& lines) {
   return patch;
 }
 
+std::vector<geom::Point3> border_of(const Patch& patch) {
+  std::vector<geom::Point3> ring;
+  const std::size_t n = patch.u.size(), m = patch.v.size();
+  for (std::size_t i = 0; i + 1 < n; ++i) ring.push_back(patch.points[i * m]);
+  for (std::size_t j = 0; j + 1 < m; ++j) ring.push_back(patch.points[(n - 1) * m + j]);
+  for (std::size_t i = n - 1; i > 0; --i) ring.push_back(patch.points[i * m + m - 1]);
+  for (std::size_t j = m - 1; j > 0; --j) ring.push_back(patch.points[j]);
+  return ring;
+}
+
 }  // namespace dobra::surf::loft

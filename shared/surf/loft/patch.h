@@ -32,6 +32,9 @@ struct LatticeLines {
 /// @error TooManyElements: more than 4 million triangles
 base::Result<Patch> lattice(Surface surface, const LatticeLines& lines);
 
+/// Points of the lattice round the chart, anticlockwise from its first corner, each once.
+std::vector<geom::Point3> border_of(const Patch& patch);
+
 /// Lines of a name on two sections beside each other that no patch joins, as where a fault ends above one of them.
 struct Unjoined {
   std::string first, second;         ///< The sections.
