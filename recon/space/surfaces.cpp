@@ -85,7 +85,9 @@ Result<MadeSurfaces> make_surfaces(const PlacedSections& placed, const SurfacePa
   MadeSurfaces made;
   DOBRA_TRY(made.made, loft::surfaces_through(std::move(sections), options));
   if (made.made.surfaces.empty()) {
-    const auto& findings = made.made.findings;
+    std::vector<loft::Finding> findings = made.made.findings;
+    // Ends that were moved to where they belong are no reason.
+    std::erase_if(findings, [](const loft::Finding& f) { return f.code == "end_moved"; });
     if (findings.empty() || findings.front().code == "single") {
       std::string message = "the sections have no line in common; call what belongs together by one name";
       if (findings.empty()) return Error{ErrorCode::BadSection, std::move(message)};

@@ -30,8 +30,6 @@ using geom::Vector;
 
 namespace {
 
-Vector way_of(const Section& section) { return section.trace.corners().back() - section.trace.corners().front(); }
-
 /// What a piece is called: the faults at its ends, and which of several of those it is.
 struct PieceName {
   std::string low, high;
@@ -118,6 +116,13 @@ class Through {
     made_.findings.push_back({std::move(code), std::move(message), std::move(place)});
   }
 
+  /// Whether it was told that lines of the name do not meet where the traces cross.
+  /// @param item  its kind and name
+  [[nodiscard]] bool misses(const std::string& item) const {
+    return std::any_of(made_.findings.begin(), made_.findings.end(),
+                       [&](const Finding& f) { return f.code == "near_miss" && f.place.item == item; });
+  }
+
   [[nodiscard]] std::vector<std::size_t> sections_with(const std::string& name) const {
     std::vector<std::size_t> which;
     for (std::size_t s = 0; s < made_.sections.size(); ++s) {
@@ -149,12 +154,16 @@ class Through {
     }
     if (surface.patches.empty() && left.size() < 2) {
       const Point3 at = misties.front().at;
-      tell("no_surface",
-           fmt::format(
-               "{} '{}': its sections cross or meet, and neither do three of them bound a cell nor do two lie side "
-               "by side; draw one beside them, or leave out those that cross",
-               kind_name(kind), name),
-           place_at(at, fmt::format("{} '{}'", kind_name(kind), name)));
+      tell(
+          "no_surface",
+          misses(fmt::format("{} '{}'", kind_name(kind), name))
+              ? fmt::format("{} '{}': its sections cross or meet, but its lines do not meet at all of the crossings; "
+                            "draw them on to there",
+                            kind_name(kind), name)
+              : fmt::format("{} '{}': its sections cross or meet, and neither do three of them bound a cell nor do two "
+                            "lie side by side; draw one beside them, or leave out those that cross",
+                            kind_name(kind), name),
+          place_at(at, fmt::format("{} '{}'", kind_name(kind), name)));
     }
     tell_left_out(surface, which, left);
     if (kind == LineKind::Horizon && lines_v_.size() == surface.patches.size())
@@ -241,6 +250,7 @@ class Through {
   void tell_left_out(const NamedSurface& surface, const std::vector<std::size_t>& which,
                      const std::vector<std::size_t>& left) {
     if (left.size() == which.size() || surface.patches.empty()) return;
+    const bool missed = misses(fmt::format("{} '{}'", kind_name(surface.kind), surface.name));
     for (const std::size_t s : which) {
       if (std::find(left.begin(), left.end(), s) != left.end()) continue;
       const Section& section = made_.sections[s];
@@ -265,18 +275,26 @@ class Through {
         const auto line = std::find_if(section.lines.begin(), section.lines.end(),
                                        [&](const SectionLine& l) { return l.name == surface.name; });
         tell("left_out",
-             fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and does "
-                         "not reach the line of '{}'",
-                         kind_name(surface.kind), surface.name, section.name),
+             missed
+                 ? fmt::format("{} '{}': its lines do not meet at all of the crossings; the surface goes through the "
+                               "sections side by side, and does not reach the line of '{}'",
+                               kind_name(surface.kind), surface.name, section.name)
+                 : fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, "
+                               "and does not reach the line of '{}'",
+                               kind_name(surface.kind), surface.name, section.name),
              place_at(section.trace.in_space(line->line.points.front()), fmt::format("section '{}'", section.name)));
         continue;
       }
       constexpr double rounded = 1e-9;
       if (most <= rounded * made_.size) continue;  // it lies on the surface
       tell("left_out",
-           fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and the "
-                       "line of '{}' is up to {:.6g} m from it",
-                       kind_name(surface.kind), surface.name, section.name, most),
+           missed
+               ? fmt::format("{} '{}': its lines do not meet at all of the crossings; the surface goes through the "
+                             "sections side by side, and the line of '{}' is up to {:.6g} m from it",
+                             kind_name(surface.kind), surface.name, section.name, most)
+               : fmt::format("{} '{}': no cell of crossing sections; the surface goes through those side by side, and "
+                             "the line of '{}' is up to {:.6g} m from it",
+                             kind_name(surface.kind), surface.name, section.name, most),
            place_at(at, fmt::format("section '{}'", section.name)));
     }
   }
@@ -455,7 +473,8 @@ class Through {
   }
 
   /// Lines by place run one way, and so must the surface.
-  void tell_turned(const std::string& item, const Patch& patch) {
+  /// @param missed  whether its lines do not meet where the traces cross
+  void tell_turned(const std::string& item, const Patch& patch, bool missed) {
     const auto area = [&](const std::array<std::uint32_t, 3>& t) {
       const Point3 a = patch.points[t[0]], b = patch.points[t[1]], c = patch.points[t[2]];
       return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
@@ -470,10 +489,13 @@ class Through {
     };
     const auto& worst = *std::min_element(patch.triangles.begin(), patch.triangles.end(), least);
     tell("turns_back",
-         fmt::format("{}: between the sections its surface turns back over {:.4g} m2 of the map, where areas, volumes "
-                     "and new sections are wrong; draw a section there, or leave out the one whose trace is nearest to "
-                     "another one",
-                     item, turned),
+         missed ? fmt::format("{}: between the sections its surface turns back over {:.4g} m2 of the map, where areas, "
+                              "volumes and new sections are wrong; draw its lines on to where the traces cross",
+                              item, turned)
+                : fmt::format("{}: between the sections its surface turns back over {:.4g} m2 of the map, where areas, "
+                              "volumes and new sections are wrong; draw a section there, or leave out the one whose "
+                              "trace is nearest to another one",
+                              item, turned),
          place_at(patch.points[worst[0]], item));
   }
 
@@ -504,7 +526,7 @@ class Through {
     std::size_t rows = options_.rows;
     while (rows > 1 && 2 * breaks * (run.size() - 1) * rows > options_.triangles) --rows;
     DOBRA_TRY(Patch patch, lattice(made->surface, {{}, made->lines_v, breaks == 2 ? options_.rows : 1, rows}));
-    if (!parts.empty()) tell_turned(item, patch);
+    if (!parts.empty()) tell_turned(item, patch, misses(item));
     for (const Strand* strand : run) patch.sections.push_back(strand->section);
     patch.sections_v = made->lines_v;
     patch.low_fault = name.low;
@@ -525,92 +547,6 @@ class Through {
 };
 
 }  // namespace
-
-namespace {
-
-/// Whether a trace lies before another in the middle of what both have beside each other along a direction; no where
-/// they have nothing.
-bool lies_before(const PlanTrace& trace, const PlanTrace& other, Vector along, Vector before) {
-  const auto reach = [&](const PlanTrace& of) {
-    std::array<double, 2> low_high{INFINITY, -INFINITY};
-    for (const Point p : of.corners()) {
-      const double at = geom::dot(p - Point{}, along);
-      low_high = {std::min(low_high[0], at), std::max(low_high[1], at)};
-    }
-    return low_high;
-  };
-  const auto a = reach(trace), b = reach(other);
-  const double low = std::max(a[0], b[0]), high = std::min(a[1], b[1]);
-  if (!(low < high)) return false;
-  const double middle = 0.5 * (low + high);
-  const auto across = [&](const PlanTrace& of) {
-    for (std::size_t i = 1; i < of.corners().size(); ++i) {
-      const Point p = of.corners()[i - 1], q = of.corners()[i];
-      const double from = geom::dot(p - Point{}, along), to = geom::dot(q - Point{}, along);
-      if ((from <= middle) == (to <= middle)) continue;
-      return geom::dot(geom::interpolate(p, q, (middle - from) / (to - from)) - Point{}, before);
-    }
-    return geom::dot(of.corners().front() - Point{}, before);
-  };
-  return across(trace) < across(other);
-}
-
-}  // namespace
-
-Row row_of(const std::vector<Section>& sections, const std::vector<std::size_t>& which) {
-  std::vector<Point> middles;
-  Vector mean{};
-  for (const std::size_t s : which) {
-    const auto& trace = sections[s].trace;
-    middles.push_back(trace.on_map(0.5 * trace.length()));
-    mean = mean + (middles.back() - middles.front()) / static_cast<double>(which.size());
-  }
-  const Point centre = middles.front() + mean;
-  double xx = 0.0, xy = 0.0, yy = 0.0;
-  for (const Point p : middles) {
-    const Vector d = p - centre;
-    xx += d.x * d.x, xy += d.x * d.y, yy += d.y * d.y;
-  }
-  const double turn = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  const Vector axis{std::cos(turn), std::sin(turn)};
-  Row row;
-  row.order = which;
-  const auto along = [&](std::size_t s) {
-    const auto& trace = sections[s].trace;
-    return geom::dot(trace.on_map(0.5 * trace.length()) - centre, axis);
-  };
-  std::stable_sort(row.order.begin(), row.order.end(),
-                   [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
-  // Side by side, what lies before the other counts, not where its middle is.
-  Vector common{};
-  for (const std::size_t s : row.order) {
-    const Vector way = geom::normalised(way_of(sections[s]));
-    common = common + (geom::dot(way, common) < 0.0 ? -1.0 * way : way);
-  }
-  if (geom::length(common) > 0.0) {
-    common = geom::normalised(common);
-    Vector before{-common.y, common.x};
-    if (geom::dot(before, axis) < 0.0) before = -1.0 * before;
-    for (std::size_t pass = 1; pass < row.order.size(); ++pass) {
-      for (std::size_t k = pass; k > 0; --k) {
-        if (!lies_before(sections[row.order[k]].trace, sections[row.order[k - 1]].trace, common, before)) break;
-        std::swap(row.order[k], row.order[k - 1]);
-      }
-    }
-  }
-  // The first that the document names stays in front.
-  if (along(which.front()) > 0.0) std::reverse(row.order.begin(), row.order.end());
-  for (std::size_t k = 0; k < row.order.size(); ++k) {
-    const Vector way = geom::normalised(way_of(sections[row.order[k]]));
-    const bool turned = k > 0 && geom::dot(way, way_of(sections[row.order[k - 1]])) < 0.0;
-    row.against.push_back(k > 0 && (turned != row.against[k - 1]));
-  }
-  bool all_along = true;
-  for (const std::size_t s : row.order)
-    all_along = all_along && std::abs(geom::dot(geom::normalised(way_of(sections[s])), axis)) > 0.98;
-  row.end_to_end = all_along;
-  return row;
-}
 
 base::Result<Surfaces> surfaces_through(std::vector<Section> sections, const ThroughOptions& options) {
   if (sections.empty()) return Error{ErrorCode::BadSection, "no section to lay surfaces through"};

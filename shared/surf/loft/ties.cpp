@@ -1,4 +1,4 @@
-// 1. Crossings of traces, exactly.
+// 1. Crossings of traces, exactly; ends of lines that are just beside one are led to it (reach.h).
 // 2. At each, the heights of lines of one name, paired by height.
 // 3. Places of one line on the map that coincide get one mean height; vertices there, then the lines are moved.
 #include "shared/surf/loft/ties.h"
@@ -10,6 +10,7 @@
 #include <map>
 
 #include "shared/geom/intersect.h"
+#include "shared/surf/loft/reach.h"
 
 namespace dobra::surf::loft {
 
@@ -50,21 +51,41 @@ base::Result<void> cross(const std::vector<Section>& sections, std::size_t a, st
   return {};
 }
 
-/// Ends of traces that stop short of another trace.
+/// Ends of traces that stop short of another trace. Of two that end beside each other the nearer end is told.
 void tell_near_misses(const std::vector<Section>& sections, double near, double same, std::vector<Finding>& findings) {
-  for (const Section& a : sections) {
-    for (const Section& b : sections) {
-      if (&a == &b) continue;
-      const geom::Polyline other{b.trace.corners(), false};
-      for (const Point end : {a.trace.corners().front(), a.trace.corners().back()}) {
-        const double gap = geom::distance(other, end);
-        if (gap <= same || gap > near) continue;
+  struct Miss {
+    const Section *ends, *other;
+    Point end;
+    double gap;
+  };
+  const auto misses_of = [&](const Section& a, const Section& b) {
+    std::vector<Miss> misses;
+    const geom::Polyline other{b.trace.corners(), false};
+    for (const Point end : {a.trace.corners().front(), a.trace.corners().back()}) {
+      const double gap = geom::distance(other, end);
+      if (gap > same && gap <= near) misses.push_back({&a, &b, end, gap});
+    }
+    return misses;
+  };
+  for (std::size_t a = 0; a < sections.size(); ++a) {
+    for (std::size_t b = a + 1; b < sections.size(); ++b) {
+      std::vector<Miss> misses = misses_of(sections[a], sections[b]);
+      for (const Miss& miss : misses_of(sections[b], sections[a])) {
+        const auto beside = std::find_if(misses.begin(), misses.end(), [&](const Miss& other) {
+          return other.ends != miss.ends && geom::distance(other.end, miss.end) <= near;
+        });
+        if (beside == misses.end()) {
+          misses.push_back(miss);
+        } else if (miss.gap < beside->gap) {
+          *beside = miss;
+        }
+      }
+      for (const Miss& miss : misses)
         findings.push_back({"near_miss",
                             fmt::format("the trace of '{}' ends {:.6g} m from that of '{}' and does not meet it there; "
                                         "draw it on to the other if they are to be tied",
-                                        a.name, gap, b.name),
-                            place_at(end, 0.0, fmt::format("section '{}'", a.name))});
-      }
+                                        miss.ends->name, miss.gap, miss.other->name),
+                            place_at(miss.end, 0.0, fmt::format("section '{}'", miss.ends->name))});
     }
   }
 }
@@ -120,7 +141,10 @@ class Tying {
     for (std::size_t a = 0; a < count; ++a) {
       for (std::size_t b = a + 1; b < count; ++b) DOBRA_TRY_VOID(cross(tied_.sections, a, b, same_, tied_.crossings));
     }
+    lead_to_crossings(tied_.sections, tied_.crossings, size_, tied_.findings);
     tell_near_misses(tied_.sections, options_.near_miss * size_, same_, tied_.findings);
+    const std::vector<Finding> missed = short_lines(tied_.sections, tied_.crossings, options_.near_miss * size_, size_);
+    tied_.findings.insert(tied_.findings.end(), missed.begin(), missed.end());
     for (const Crossing& crossing : tied_.crossings) find_misties(crossing);
     DOBRA_TRY_VOID(judge());
     share_out();

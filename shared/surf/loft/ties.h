@@ -29,11 +29,13 @@ struct Mistie {
 
 struct TieOptions {
   std::optional<double> most = std::nullopt;  ///< Refused above, m; nothing: 0.02 of the size of all.
-  double near_miss = 0.02;  ///< A trace that ends nearer to another than this part of the size, and not on it, is told.
+  /// A trace that ends nearer to another than this part of the size, and not on it, is told; a line that ends so near
+  /// before a crossing too.
+  double near_miss = 0.02;
 };
 
 struct Tied {
-  std::vector<Section> sections;  ///< With the lines moved; each has a vertex where another crosses it.
+  std::vector<Section> sections;  ///< With the lines moved, their ends too (reach.h); with a vertex at each crossing.
   std::vector<Crossing> crossings;
   std::vector<Mistie> misties;  ///< All pairs, those of no difference too.
   std::vector<Finding> findings;
