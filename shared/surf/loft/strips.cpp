@@ -331,9 +331,12 @@ class Stripping {
     for (const NamedSurface* horizon : {&upper_, &lower_}) {
       for (const Unjoined& gap : horizon->unjoined) {
         double plan = gap.plan;
+        bool counted = false;
         if (horizon == &lower_) {  // counted with the upper one
           for (const Unjoined& other : upper_.unjoined) {
-            if (other.first == gap.first && other.second == gap.second) plan = std::max(0.0, plan - other.plan);
+            if (other.first != gap.first || other.second != gap.second) continue;
+            plan = std::max(0.0, plan - other.plan);
+            counted = true;
           }
         }
         geom::Box box;
@@ -356,13 +359,19 @@ class Stripping {
           }
         }
         const double most = plan * (high - low);
+        if (most <= 0.0 && !counted) continue;
         made_.unsure += most;
         made_.findings.push_back(
             {"volume_at_fault",
-             fmt::format("'{}' is in other pieces in section '{}' than in '{}', and nothing joins them; the volume "
-                         "between '{}' and '{}' leaves out less than {:.6g} m3 there; draw the faults to the same "
-                         "depth in both",
-                         horizon->name, gap.first, gap.second, upper_.name, lower_.name, most),
+             most > 0.0
+                 ? fmt::format("'{}' is in other pieces in section '{}' than in '{}', and nothing joins them; the "
+                               "volume between '{}' and '{}' leaves out less than {:.6g} m3 there; draw the faults to "
+                               "the same depth in both",
+                               horizon->name, gap.first, gap.second, upper_.name, lower_.name, most)
+                 : fmt::format(
+                       "'{}' is in other pieces in section '{}' than in '{}', and nothing joins them; what the "
+                       "volume leaves out there is counted with '{}'; draw the faults to the same depth in both",
+                       horizon->name, gap.first, gap.second, upper_.name),
              {.item = fmt::format("horizon '{}'", horizon->name), .x = middle.x, .y = middle.y, .z = middle.z}});
       }
     }

@@ -355,10 +355,9 @@ class Through {
   }
 
   void tell_uneven(const std::string& item, const std::vector<std::vector<Strand>>& strands) {
+    // From end to end, what faults part it by along with it.
     const auto length = [](const std::vector<Strand>& of_section) {
-      double sum = 0.0;
-      for (const Strand& strand : of_section) sum += geom::distance(strand.points.front(), strand.points.back());
-      return sum;
+      return geom::distance(of_section.front().points.front(), of_section.back().points.back());
     };
     const auto by_length = [&](const auto& a, const auto& b) { return length(a) < length(b); };
     const auto [least, most] = std::minmax_element(strands.begin(), strands.end(), by_length);
@@ -369,7 +368,7 @@ class Through {
         fmt::format("{} reaches {:.6g} m in section '{}' and {:.6g} m in '{}'; beyond the shorter one the surface runs "
                     "to its end",
                     item, length(*least), a, length(*most), b),
-        place_at(least->front().points.back(), item));
+        place_at(least->back().points.back(), item));
   }
 
   /// Pieces of one of two sections beside each other that the other has not.

@@ -189,6 +189,29 @@ TEST(FaultVolume, AFaultThatIsShallowerOnOneSectionLeavesABoundForWhatIsNotJoine
   EXPECT_LE(*told->place.y, 800.0);
 }
 
+TEST(FaultVolume, WhatBothHorizonsLeaveOutAtOnePlaceIsToldAsANumberOnce) {
+  // On the last section the fault ends above both horizons, which are whole there.
+  const Faulted f{0.0, 0.5, 100.0, 0.0, 200.0};
+  auto sections = faulted(f);
+  auto& last = sections.back();
+  std::erase_if(last.lines, [](const loft::SectionLine& l) { return l.kind == LineKind::Horizon; });
+  last.lines[0].line.points.back() = {f.fault_x(0.0, 200.0), 200.0};
+  add(last, "upper", straight(0.0, length, 0.0, 0.0));
+  add(last, "lower", straight(0.0, length, 0.0, f.apart));
+  const auto made = through(std::move(sections));
+  const loft::Volume volume = between(made);
+  std::size_t told = 0, numbers = 0;
+  for (const loft::Finding& one : volume.findings) {
+    if (one.message.find("in other pieces") == std::string::npos) continue;
+    ++told;
+    EXPECT_EQ(one.message.find("less than 0 m3"), std::string::npos) << one.message;
+    if (one.message.find("less than") != std::string::npos) ++numbers;
+  }
+  EXPECT_EQ(told, 2u);
+  EXPECT_EQ(numbers, 1u);
+  EXPECT_GT(volume.unsure, 0.0);
+}
+
 TEST(FaultVolume, CurvedFaultsAreFollowedBetweenTheCutoffs) {
   // x = 600 + (z + 700)^2 / 1000: flat-lying below. The bed west of it ends there; that in the east begins there.
   const auto fault_x = [](double z) { return 600.0 + 1e-3 * (z + 700.0) * (z + 700.0); };

@@ -30,7 +30,8 @@ double shoelace(const Line& upper, const Line& lower) {
   Line ring = upper;
   ring.insert(ring.end(), lower.rbegin(), lower.rend());
   double twice = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) twice += geom::cross(ring[i] - Point{}, ring[(i + 1) % ring.size()] - Point{});
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    twice += geom::cross(ring[i] - Point{}, ring[(i + 1) % ring.size()] - Point{});
   return 0.5 * std::abs(twice);
 }
 

@@ -187,6 +187,21 @@ TEST(LoftUntidy, AFreeEndIsMatchedByPlaceThoughTheOtherIsAtAFault) {
   }
 }
 
+TEST(LoftUntidy, TheExtentOfALineInPiecesIsFromEndToEnd) {
+  // Pieces of 500 and 350 m with a gap of 150 m at the fault reach 1000 m; the other section is drawn for 500 m.
+  std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {1000.0, 0.0}}),
+                                      section("b", {{0.0, 400.0}, {1000.0, 400.0}})};
+  for (auto& s : sections) {
+    add(s, "F", {{{450.0, 100.0}, {500.0, 0.0}, {650.0, 0.0}, {700.0, -100.0}}, false}, LineKind::Fault);
+    add(s, "top", {{{0.0, 0.0}, {500.0, 0.0}}, false});
+  }
+  add(sections[0], "top", {{{650.0, 0.0}, {1000.0, 0.0}}, false});
+  const auto made = through(std::move(sections));
+  const loft::Finding* told = finding(made.findings, "uneven");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("reaches 500 m in section 'b' and 1000 m in 'a'"), std::string::npos) << told->message;
+}
+
 TEST(LoftUntidy, UnequalExtentsOfLinesThatTurnBackAreTold) {
   std::vector<loft::Section> sections{section("a", {{0.0, 0.0}, {2000.0, 0.0}}),
                                       section("b", {{0.0, 800.0}, {2000.0, 800.0}})};
