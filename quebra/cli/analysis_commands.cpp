@@ -42,8 +42,6 @@ using base::Error;
 using base::ErrorCode;
 using base::Result;
 
-constexpr int interrupted = 130;  // exit code
-
 struct AnalysisOptions {
   dobra::cli::ScenarioOptions scenario;
   dobra::cli::ParameterOptions step, rules, view, samples;
@@ -341,7 +339,7 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, state)));
   }
-  if (session.cancel.cancelled()) return interrupted;
+  if (session.cancel.cancelled()) return base::exit_code(ErrorCode::Cancelled);
   // As an expectation that is not met; the remark that says why is told with the others.
   return session.program.reached(state) == false ? 1 : 0;
 }

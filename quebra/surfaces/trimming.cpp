@@ -12,7 +12,6 @@
 #include "quebra/surfaces/trim_doubts.h"
 #include "shared/geom/polyline.h"
 #include "shared/geom/predicates.h"
-#include "shared/geom/segment.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/surf/closest.h"
 #include "shared/surf/measure.h"
@@ -294,44 +293,54 @@ ChartLine::Kind kind_of(TrimRole role) {
 
 }  // namespace
 
-bool Trimming::encloses(const std::vector<Point>& contour, Point p) const {
-  const geom::Box& box = surface_.chart();
+std::vector<geom::Vector> Trimming::periods() const {
+  std::vector<geom::Vector> all;
   for (const double u : {0.0, -1.0, 1.0}) {
     for (const double v : {0.0, -1.0, 1.0}) {
-      if ((u != 0.0 && !surface_.closed_u()) || (v != 0.0 && !surface_.closed_v())) continue;
-      if (inside(contour, p + geom::Vector{u * box.width(), v * box.height()})) return true;
+      if ((u == 0.0 || surface_.closed_u()) && (v == 0.0 || surface_.closed_v()))
+        all.push_back({u * surface_.chart().width(), v * surface_.chart().height()});
     }
   }
-  return false;
+  return all;
 }
 
-double Trimming::away_from(const std::vector<Point>& contour, Point p) const {
-  const geom::Box& box = surface_.chart();
-  const auto part = [&](Point q) { return Point{q.x / box.width(), q.y / box.height()}; };
-  double least = std::numeric_limits<double>::infinity();
-  for (const double u : {0.0, -1.0, 1.0}) {
-    for (const double v : {0.0, -1.0, 1.0}) {
-      if ((u != 0.0 && !surface_.closed_u()) || (v != 0.0 && !surface_.closed_v())) continue;
-      const Point there = part(p) + geom::Vector{u, v};
-      for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++)
-        least = std::min(least, geom::distance(geom::Segment{part(contour[j]), part(contour[i])}, there));
-    }
-  }
-  return least;
-}
-
-/// Sides are known from the arcs; which of them is inside is seen at the place that is farthest from the ring, where
-/// the chords between its samples are as good as itself.
+/// Sides are known from the arcs; which of them is inside is seen at a place well outside the box of the ring, where
+/// there is one; else at the place that is farthest from the ring, where the chords between its samples are as good as
+/// itself.
 Result<std::vector<std::uint8_t>> Trimming::inside_of(const TrimRing& ring, const surf::trim::Recognised& recognised,
                                                       const std::vector<Point>& inner) const {
   DOBRA_TRY(std::vector<std::uint8_t> sides, recognised.sides_of(ring.lines));
-  std::size_t best = 0;
-  double farthest = -1.0;
-  for (std::size_t f = 0; f < inner.size(); ++f) {
-    const double away = away_from(ring.places, inner[f]);
-    if (away > farthest) farthest = away, best = f;
+  const std::vector<geom::Vector> by = periods();
+  geom::Box box = geom::box_of(ring.places);
+  const geom::Vector beside{0.1 * box.width(), 0.1 * box.height()};
+  const Point low = box.low - beside, high = box.high + beside;
+  box.add(low), box.add(high);
+  const auto outside = [&](Point p) {
+    return std::none_of(by.begin(), by.end(), [&](geom::Vector period) { return box.contains(p + period); });
+  };
+  const auto beyond = std::find_if(inner.begin(), inner.end(), outside);
+  bool ones = false;  // is the side 1 inside?
+  if (beyond != inner.end()) {
+    ones = sides[static_cast<std::size_t>(beyond - inner.begin())] == 0;
+  } else {
+    const geom::Box& chart = surface_.chart();
+    const auto part = [&](Point q) { return Point{q.x / chart.width(), q.y / chart.height()}; };
+    geom::Polyline way{{}, true};
+    for (const Point p : ring.places) way.points.push_back(part(p));
+    const auto away = [&](Point p) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const geom::Vector period : by) least = std::min(least, geom::distance(way, part(p + period)));
+      return least;
+    };
+    std::size_t best = 0;
+    double farthest = -1.0;
+    for (std::size_t f = 0; f < inner.size(); ++f) {
+      if (const double far = away(inner[f]); far > farthest) farthest = far, best = f;
+    }
+    const bool in = std::any_of(by.begin(), by.end(),
+                                [&](geom::Vector period) { return inside(ring.places, inner[best] + period); });
+    ones = (sides[best] != 0) == in;
   }
-  const bool ones = (sides[best] != 0) == encloses(ring.places, inner[best]);
   for (std::uint8_t& side : sides) side = (side != 0) == ones ? 1 : 0;
   return sides;
 }

@@ -57,10 +57,8 @@ class Trimming {
     std::string name;
     dobra::geom::Point at;
   };
-  /// Beyond a closed direction by whole periods too.
-  [[nodiscard]] bool encloses(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
-  /// By parts of the chart.
-  [[nodiscard]] double away_from(const std::vector<dobra::geom::Point>& contour, dobra::geom::Point p) const;
+  /// Whole periods of the closed directions, none first.
+  [[nodiscard]] std::vector<dobra::geom::Vector> periods() const;
   /// Which faces lie inside a ring. @param inner  a place in each face
   [[nodiscard]] dobra::base::Result<std::vector<std::uint8_t>> inside_of(
       const TrimRing& ring, const dobra::surf::trim::Recognised& recognised,

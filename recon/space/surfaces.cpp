@@ -35,8 +35,8 @@ Result<std::vector<VolumeRow>> volumes_of(MadeSurfaces& made, const base::Progre
   std::vector<VolumeRow> volumes;
   for (std::size_t k = 1; k < horizons.size(); ++k) {
     const auto &upper = made.made.surfaces[horizons[k - 1]], &lower = made.made.surfaces[horizons[k]];
-    DOBRA_TRY_VOID(progress.check());
-    VolumeRow row{upper.name, lower.name, loft::volume_between(upper, lower, made.made.surfaces)};
+    DOBRA_TRY(loft::Volume volume, loft::volume_between(upper, lower, made.made.surfaces, progress));
+    VolumeRow row{upper.name, lower.name, std::move(volume)};
     made.made.findings.insert(made.made.findings.end(), row.volume.findings.begin(), row.volume.findings.end());
     volumes.push_back(std::move(row));
   }

@@ -18,7 +18,6 @@ namespace {
 
 std::atomic<const base::CancelToken*> interrupted_token{nullptr};
 
-constexpr int interrupted_code = 130;
 constexpr unsigned patience = 5;  ///< Seconds in which work may end by itself.
 
 extern "C" void on_interrupt(int) {
@@ -28,8 +27,8 @@ extern "C" void on_interrupt(int) {
 /// Work that did not listen ends with the code and the word of an interruption.
 extern "C" void on_alarm(int) {
   constexpr char said[] = "interrupted\n";
-  if (::write(STDERR_FILENO, said, sizeof said - 1) < 0) _exit(interrupted_code);
-  _exit(interrupted_code);
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, said, sizeof said - 1);
+  _exit(base::exit_code(base::ErrorCode::Cancelled));
 }
 
 void set_handler(void (*handler)(int), int flags) {

@@ -94,8 +94,10 @@ struct Import {
 struct Wait {
   double seconds = 30.0;
   std::string signal_file;
+  bool deaf = false;  ///< To the wish to stop.
   template <class D>
   static void describe(D& d) {
+    d.field("deaf", &Wait::deaf, {.title = "Deaf"});
     d.field("seconds", &Wait::seconds, {.title = "Seconds", .at_least = 0});
     d.field("signal_file", &Wait::signal_file, {.title = "File made when waiting starts"});
   }
@@ -152,7 +154,7 @@ inline base::Result<Model> wait(const Model& model, const Wait& params, const sc
   if (!params.signal_file.empty()) std::ofstream(params.signal_file) << "waiting\n";
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(params.seconds);
   while (std::chrono::steady_clock::now() < end) {
-    DOBRA_TRY_VOID(progress.check());
+    if (!params.deaf) DOBRA_TRY_VOID(progress.check());
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   return model;

@@ -221,7 +221,8 @@ void add_pair(const PlanTriangle& upper, const PlanTriangle& lower, Pairs& pairs
 }
 
 /// Pairs of triangles by a lattice of cells over the lower ones.
-Pairs pairs_of(const std::vector<PlanTriangle>& upper, const std::vector<PlanTriangle>& lower) {
+base::Result<Pairs> pairs_of(const std::vector<PlanTriangle>& upper, const std::vector<PlanTriangle>& lower,
+                             const base::Progress& progress) {
   Pairs pairs;
   geom::Box box;
   for (const PlanTriangle& t : lower) box.add(t.box.low), box.add(t.box.high);
@@ -242,6 +243,7 @@ Pairs pairs_of(const std::vector<PlanTriangle>& upper, const std::vector<PlanTri
     range(lower[k].box, [&](std::size_t c) { cells[c].push_back(static_cast<std::uint32_t>(k)); });
   std::vector<std::uint32_t> near;
   for (const PlanTriangle& t : upper) {
+    DOBRA_TRY_VOID(progress.check());
     near.clear();
     range(t.box, [&](std::size_t c) { near.insert(near.end(), cells[c].begin(), cells[c].end()); });
     std::sort(near.begin(), near.end());
@@ -310,14 +312,16 @@ Measures measures(const NamedSurface& surface) {
   return sum;
 }
 
-Volume volume_between(const NamedSurface& upper, const NamedSurface& lower, const std::vector<NamedSurface>& surfaces) {
+base::Result<Volume> volume_between(const NamedSurface& upper, const NamedSurface& lower,
+                                    const std::vector<NamedSurface>& surfaces, const base::Progress& progress) {
   Strips strips = strips_between(upper, lower, surfaces);
   Volume volume;
   volume.unsure = strips.unsure;
   volume.findings = std::move(strips.findings);
   if (over_itself(upper, lower, strips.upper.empty() && strips.lower.empty(), volume)) return volume;
   const double size = upper.patches.front().surface.size();
-  const Pairs pairs = pairs_of(plan_triangles(upper, strips.upper), plan_triangles(lower, strips.lower));
+  DOBRA_TRY(const Pairs pairs,
+            pairs_of(plan_triangles(upper, strips.upper), plan_triangles(lower, strips.lower), progress));
   volume.value = pairs.value;
   volume.plan = pairs.plan;
   constexpr double rounded = 1e-9;

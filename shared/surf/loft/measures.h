@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "shared/base/angle.h"
+#include "shared/base/progress.h"
+#include "shared/base/result.h"
 #include "shared/surf/loft/patch.h"
 
 namespace dobra::surf::loft {
@@ -40,9 +42,12 @@ struct Volume {
 /// surfaces; else that of the pairs of triangles of both lattices that lie over each other, where an overturned one
 /// counts less: a place of three sheets, as at thrusts, counts once.
 /// Where they cross, a finding `cross` tells both parts and the deepest place.
+/// Horizons that end on an overturned limb: the body that both close (overturned.h), told by `overturned_end`.
 /// @param surfaces  with the faults that the horizons end at
+/// @error Cancelled
 /// @cost O(n log n + pairs), and that of strips_between()
-Volume volume_between(const NamedSurface& upper, const NamedSurface& lower,
-                      const std::vector<NamedSurface>& surfaces = {});
+base::Result<Volume> volume_between(const NamedSurface& upper, const NamedSurface& lower,
+                                    const std::vector<NamedSurface>& surfaces = {},
+                                    const base::Progress& progress = {});
 
 }  // namespace dobra::surf::loft

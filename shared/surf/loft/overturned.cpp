@@ -122,7 +122,9 @@ std::optional<double> closed_volume(const NamedSurface& upper, const NamedSurfac
   double sum = 0.0;
   for (std::size_t k = 0; k < upper.patches.size(); ++k) {
     const Patch &top = upper.patches[k], &base = lower.patches[k];
-    if (top.sections != base.sections || top.sections_v.empty() || !beside(top, base)) return std::nullopt;
+    if (top.sections_v.empty() || base.sections_v.empty() || top.sections.front() != base.sections.front() ||
+        top.sections.back() != base.sections.back() || !beside(top, base))
+      return std::nullopt;
     const Point3 from = top.points.front();
     sum += std::abs(cones(top, from) - cones(base, from) + side_cones(top, base, from)) / 6.0;
   }

@@ -12,8 +12,8 @@ namespace dobra::surf::loft {
 /// @cost O(points of the lattices)
 std::optional<geom::Point3> overturned_end(const NamedSurface& surface);
 
-/// Of the body that two surfaces close with straight sides from border to border, m3. Nothing where their patches do
-/// not lie beside each other, corner by corner.
+/// Of the body that two surfaces close with straight sides from border to border, m3. Nothing where a patch is no loft,
+/// or where patches do not begin and end at the same sections and lie beside each other, corner by corner.
 /// @pre The surfaces do not cross.
 /// @cost O(points of the lattices)
 std::optional<double> closed_volume(const NamedSurface& upper, const NamedSurface& lower);

@@ -78,6 +78,7 @@ class Recogniser {
     auto pairs = seam_pairs(s.surface, s.arcs, s.options.same);
     find_parts(pairs);
     number_seams(pairs);
+    s.steps = steps_between(s, pairs);
     s.seams = std::move(pairs);
     findings_.insert(findings_.begin(), strands.findings.begin(), strands.findings.end());
     return Analysed{made_, std::move(findings_), std::move(meetings)};

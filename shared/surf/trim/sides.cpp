@@ -13,31 +13,13 @@ using topo::FaceId;
 using topo::HalfEdgeId;
 using topo::Subdivision;
 
-namespace {
-
-/// From a face of the subdivision to one beside it.
-struct StepOver {
-  std::size_t to = 0;
-  bool across = false;  ///< Of the lines.
-  std::size_t arc = 0;
-};
-
-std::vector<std::vector<StepOver>> steps_between(const Recognised::State& s, std::span<const std::size_t> lines) {
-  const auto odd = [&](std::size_t arc) {
-    const std::vector<Along>& along = s.arcs.arcs[arc].along;
-    return std::count_if(along.begin(), along.end(),
-                         [&](const Along& each) {
-                           return std::find(lines.begin(), lines.end(), s.arcs.strands[each.strand].line) !=
-                                  lines.end();
-                         }) %
-               2 ==
-           1;
-  };
+std::vector<std::vector<StepOver>> steps_between(const Recognised::State& s,
+                                                 std::span<const std::pair<std::size_t, std::size_t>> seams) {
   std::vector<std::vector<StepOver>> steps(s.parts.size());
   std::vector<std::optional<std::size_t>> at_side(s.arcs.arcs.size());  // the face beside an arc of a side
-  const auto add = [&](std::size_t a, std::size_t b, bool across, std::size_t arc) {
-    steps[a].push_back({b, across, arc});
-    steps[b].push_back({a, across, arc});
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t arc, std::optional<std::size_t> seam) {
+    steps[a].push_back({b, arc, seam});
+    steps[b].push_back({a, arc, seam});
   };
   const Subdivision& sub = s.faces.subdivision;
   for (const EdgeId e : sub.edges()) {
@@ -47,20 +29,23 @@ std::vector<std::vector<StepOver>> steps_between(const Recognised::State& s, std
     if (left == Subdivision::unbounded() || right == Subdivision::unbounded()) {
       at_side[arc] = (left == Subdivision::unbounded() ? right : left).index();
     } else {
-      add(left.index(), right.index(), odd(arc), arc);
+      add(left.index(), right.index(), arc, std::nullopt);
     }
   }
-  for (const auto& [low, high] : s.seams) {
-    if (at_side[low] && at_side[high]) add(*at_side[low], *at_side[high], odd(low) != odd(high), low);
+  for (const auto& [low, high] : seams) {
+    if (at_side[low] && at_side[high]) add(*at_side[low], *at_side[high], low, high);
   }
   return steps;
 }
 
-}  // namespace
-
 base::Result<std::vector<std::uint8_t>> Recognised::sides_of(std::span<const std::size_t> lines) const {
   const State& s = *state_;
-  const std::vector<std::vector<StepOver>> steps = steps_between(s, lines);
+  std::vector<std::uint8_t> odd(s.arcs.arcs.size(), 0);  // arcs that the lines run along an odd number of times
+  for (std::size_t arc = 0; arc < odd.size(); ++arc) {
+    for (const Along& each : s.arcs.arcs[arc].along) {
+      if (std::find(lines.begin(), lines.end(), s.arcs.strands[each.strand].line) != lines.end()) odd[arc] ^= 1U;
+    }
+  }
   std::vector<std::optional<bool>> side(s.parts.size());
   for (std::size_t first = 0; first < side.size(); ++first) {
     if (s.parts[first] < 0 || side[first]) continue;
@@ -69,8 +54,9 @@ base::Result<std::vector<std::uint8_t>> Recognised::sides_of(std::span<const std
     while (!todo.empty()) {
       const std::size_t face = todo.back();
       todo.pop_back();
-      for (const StepOver& step : steps[face]) {
-        const bool there = *side[face] != step.across;
+      for (const StepOver& step : s.steps[face]) {
+        const bool across = odd[step.arc] != (step.seam ? odd[*step.seam] : 0);
+        const bool there = *side[face] != across;
         if (!side[step.to]) {
           side[step.to] = there;
           todo.push_back(step.to);

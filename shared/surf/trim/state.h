@@ -16,6 +16,16 @@ struct CrackOnArc {
   std::vector<std::string> others;
 };
 
+/// From a face of the subdivision to one beside it, over an arc or over a seam.
+struct StepOver {
+  std::size_t to = 0;
+  std::size_t arc = 0;
+  std::optional<std::size_t> seam = {};  ///< The arc on its other side.
+};
+/// One list a face of the subdivision.
+std::vector<std::vector<StepOver>> steps_between(const Recognised::State& s,
+                                                 std::span<const std::pair<std::size_t, std::size_t>> seams);
+
 struct Recognised::State {
   Surface surface;
   RecogniseOptions options;
@@ -28,6 +38,7 @@ struct Recognised::State {
   std::vector<ChartLine::Kind> kind;
   std::vector<std::optional<CrackOnArc>> cracks;           ///< One an arc: it is opened there where it lies inside.
   std::vector<std::pair<std::size_t, std::size_t>> seams;  ///< Arcs on both sides of a seam.
+  std::vector<std::vector<StepOver>> steps;                ///< One list a face of the subdivision.
   int count = 0;
 
   explicit State(Surface of) : surface(std::move(of)) {}

@@ -362,6 +362,19 @@ TEST_F(Cli, AnInterruptedRunIsExitCode130AndLeavesNoFile) {
   }
 }
 
+TEST_F(Cli, WorkThatDoesNotHearASignalEndsAfterFiveSecondsAsAnInterruption) {
+  const fs::path waiting = root / "waiting", messages = root / "messages";
+  const std::string scenario =
+      put("wait.toml",
+          "[[step]]\noperation = \"wait\"\ndeaf = true\nseconds = 60\nsignal_file = \"" + waiting.string() + "\"\n");
+  const pid_t child = start({"run", scenario, "--out", out()}, [&] { redirect(STDERR_FILENO, messages); });
+  for (int i = 0; i < 10000 && !fs::exists(waiting); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(fs::exists(waiting));
+  ::kill(child, SIGINT);
+  EXPECT_EQ(exit_code_of(child), 130);
+  EXPECT_EQ(*io::read_bytes(messages), "interrupted\n");
+}
+
 TEST_F(Cli, RenderDrawsOnePicture) {
   for (const std::string name : {"a.svg", "a.pdf", "a.png"}) {
     const Outcome outcome = call({"render", good, "--out", (root / name).string(), "--width", "300"});

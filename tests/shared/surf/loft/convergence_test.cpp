@@ -96,7 +96,7 @@ TEST(LoftConvergence, VolumesComeToTheClosedForm) {
     loft::ThroughOptions options;
     options.rows = 1;
     const auto made = through(std::move(sections), options);
-    off = std::abs(loft::volume_between(made.surfaces[0], made.surfaces[1]).value / exact - 1.0);
+    off = std::abs(loft::volume_between(made.surfaces[0], made.surfaces[1]).value().value / exact - 1.0);
     std::printf("%d sections: the volume is off by %.3e of it\n", count, off);
   }
   EXPECT_LT(off, 1e-6);

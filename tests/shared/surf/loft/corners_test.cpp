@@ -58,7 +58,7 @@ void expect_filled(const loft::Surfaces& made, double area, double rounding, dou
   ASSERT_TRUE(top && base);
   EXPECT_NEAR(loft::measures(*top).plan, area, measured * area);
   EXPECT_NEAR(loft::measures(*base).plan, area, measured * area);
-  const auto volume = loft::volume_between(*top, *base, made.surfaces);
+  const auto volume = loft::volume_between(*top, *base, made.surfaces).value();
   EXPECT_NEAR(volume.value, 150.0 * area, (rounding + 150.0 * measured) * area);
   for (const char* code : {"left_out", "turns_back", "near_miss", "beyond_cells", "no_surface", "no_patch"})
     EXPECT_EQ(finding(made.findings, code), nullptr) << code;

@@ -147,7 +147,7 @@ TEST(LoftMeasures, TheVolumeBetweenTwoLoftsIsTheClosedForm) {
   options.rows = 2;
   const auto made = through(std::move(sections), options);
   const double exact = 70.0 * a * b * 2.0 / pi + 100.0 * a * b + 3e-4 * a * b * b * b / 6.0 - 0.05 * a * b * b;
-  const loft::Volume volume = loft::volume_between(made.surfaces[0], made.surfaces[1]);
+  const loft::Volume volume = loft::volume_between(made.surfaces[0], made.surfaces[1]).value();
   EXPECT_TRUE(volume.exact);
   EXPECT_NEAR(volume.value / exact, 1.0, 1e-6);
   EXPECT_NEAR(volume.plan, a * b, 1e-5);
@@ -161,7 +161,7 @@ TEST(LoftMeasures, VolumesOfOtherBordersAreThoseOverWhatBothCover) {
       3, 500.0, 400.0, [](double, double) { return 0.0; }, 3, "lower");
   for (std::size_t k = 0; k < 3; ++k) add(upper[k], "lower", lower[k].lines[0].line);
   const auto made = through(std::move(upper));
-  const loft::Volume volume = loft::volume_between(made.surfaces[0], made.surfaces[1]);
+  const loft::Volume volume = loft::volume_between(made.surfaces[0], made.surfaces[1]).value();
   EXPECT_FALSE(volume.exact);
   EXPECT_NEAR(volume.plan, 200'000.0, 1e-6);
   EXPECT_NEAR(volume.value, 0.0, 1e-6);

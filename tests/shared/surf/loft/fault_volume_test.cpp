@@ -47,7 +47,7 @@ const loft::NamedSurface& called(const loft::Surfaces& made, const std::string& 
 }
 
 loft::Volume between(const loft::Surfaces& made) {
-  return loft::volume_between(called(made, "upper"), called(made, "lower"), made.surfaces);
+  return loft::volume_between(called(made, "upper"), called(made, "lower"), made.surfaces).value();
 }
 
 /// West of the fault the bed ends half-way between its cutoffs in the mean, and so it begins in the east.

@@ -35,17 +35,18 @@ double shoelace(const Line& upper, const Line& lower) {
   return 0.5 * std::abs(twice);
 }
 
-loft::Volume between(const Line& upper, const Line& lower) {
+/// @param lacks  the number of the section without the lower line
+loft::Volume between(const Line& upper, const Line& lower, int lacks = -1) {
   std::vector<loft::Section> sections;
   for (const double y : {0.0, 300.0, across}) {
     sections.push_back(section("S" + std::to_string(static_cast<int>(y)), {{0.0, y}, {4000.0, y}}));
     add(sections.back(), "upper", {upper, false});
-    add(sections.back(), "lower", {lower, false});
+    if (static_cast<int>(sections.size()) - 1 != lacks) add(sections.back(), "lower", {lower, false});
   }
   const auto made = through(std::move(sections));
   EXPECT_EQ(made.surfaces.size(), 2U);
   if (made.surfaces.size() < 2) return {};
-  return loft::volume_between(made.surfaces[0], made.surfaces[1], made.surfaces);
+  return loft::volume_between(made.surfaces[0], made.surfaces[1], made.surfaces).value();
 }
 
 TEST(OverturnedEnds, TheBodyOfAHairpinIsItsSectionTimesItsLength) {
@@ -68,6 +69,34 @@ TEST(OverturnedEnds, AFoldWithBothEndsOnOverturnedLimbsHasItsVolume) {
     EXPECT_NEAR(volume.value, expected, 1e-9 * expected) << x[0];
     EXPECT_NE(finding(volume.findings, "overturned_end"), nullptr) << x[0];
   }
+}
+
+TEST(OverturnedEnds, AHorizonThatASectionInTheMiddleLacksClosesTheBodyToo) {
+  const Line upper = hairpin(300.0, 500.0), lower = hairpin(200.0, 500.0);
+  const double expected = across * shoelace(upper, lower);
+  EXPECT_NEAR(between(upper, lower, 1).value, expected, 1e-9 * expected);
+}
+
+TEST(OverturnedEnds, WhereTheBodyIsNotClosedTheVolumeIsToldToBeOff) {
+  const auto volume = between(hairpin(300.0, 500.0), hairpin(200.0, 500.0), 2);
+  const auto* told = finding(volume.findings, "overturned_end");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NE(told->message.find("is off"), std::string::npos) << told->message;
+}
+
+TEST(OverturnedEnds, AVolumeHearsThatItIsNotWantedAnyMore) {
+  std::vector<loft::Section> sections = row(
+      3, 1000.0, 400.0, [](double x, double) { return x; }, 10);
+  for (auto& s : sections)
+    add(s, "lower",
+        sampled(
+            s, [](double x, double) { return x - 10.0; }, 10));
+  const auto made = through(std::move(sections));
+  const base::CancelToken token;
+  token.cancel();
+  const auto volume = loft::volume_between(made.surfaces[0], made.surfaces[1], {}, base::Progress(token, {}));
+  ASSERT_FALSE(volume);
+  EXPECT_EQ(volume.error().code, base::ErrorCode::Cancelled);
 }
 
 TEST(OverturnedEnds, AFoldThatEndsOnUprightLimbsHasNone) {

@@ -152,7 +152,7 @@ TEST(UnlikeTraces, HorizonsThatCrossHaveBothPartsOfTheirVolumeTold) {
     const auto made = through(std::move(sections));
     ASSERT_EQ(made.surfaces.size(), 2U);
     const bool first = loft::measures(made.surfaces[0]).mean_z > loft::measures(made.surfaces[1]).mean_z;
-    const auto volume = loft::volume_between(made.surfaces[first ? 0 : 1], made.surfaces[first ? 1 : 0]);
+    const auto volume = loft::volume_between(made.surfaces[first ? 0 : 1], made.surfaces[first ? 1 : 0]).value();
     const double low = 0.5 * 300.0 * 90.0 * 100.0, width = shorter ? 600.0 : 700.0;
     const double high = 0.5 * width * 0.3 * width * 100.0;
     EXPECT_NEAR(volume.below, low, 1e-6);
@@ -170,7 +170,7 @@ TEST(UnlikeTraces, HorizonsThatCrossHaveBothPartsOfTheirVolumeTold) {
     add(sections.back(), "b", {{{0, 0}, {400, 0}, {1000, -60}}});
   }
   const auto made = through(std::move(sections));
-  const auto volume = loft::volume_between(made.surfaces[0], made.surfaces[1]);
+  const auto volume = loft::volume_between(made.surfaces[0], made.surfaces[1]).value();
   EXPECT_EQ(volume.below, 0.0);
   EXPECT_TRUE(volume.findings.empty());
 }
