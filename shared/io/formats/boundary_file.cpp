@@ -8,6 +8,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/formats/format.h"
+#include "shared/io/meshes/ply.h"
 #include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/stl.h"
 

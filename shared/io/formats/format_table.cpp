@@ -28,6 +28,7 @@
 #include "shared/io/meshes/msh.h"
 #include "shared/io/meshes/neutral.h"
 #include "shared/io/meshes/node_ele.h"
+#include "shared/io/meshes/ply.h"
 #include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/stl.h"
 #include "shared/io/meshes/tsurf.h"
@@ -505,8 +506,8 @@ const std::vector<Format>& all_formats() {
       {"ply",
        "PLY",
        {".ply"},
+       "polygons, ASCII or binary",
        "polygons, ASCII",
-       "the same",
        "corners only",
        {},
        polygon_row<meshes::parse_ply, PolygonFormat::Ply>()},

@@ -34,6 +34,30 @@ std::string lower(std::string_view text) {
   return made;
 }
 
+}  // namespace
+
+AxisUnits axis_units(std::string_view text) {
+  std::string plain(text);
+  plain.erase(std::remove(plain.begin(), plain.end(), '"'), plain.end());
+  std::vector<Word> words;
+  split_words(plain, words);
+  AxisUnits units;
+  for (const Word& word : words) {
+    const std::string name = lower(word.text);
+    if (name == "m" || name == "meter" || name == "meters" || name == "metre" || name == "metres")
+      units.metres.push_back(1.0);
+    else if (name == "km")
+      units.metres.push_back(1000.0);
+    else if (name == "ft" || name == "foot" || name == "feet")
+      units.metres.push_back(0.3048);
+    else
+      units.unknown = word.text;
+  }
+  return units;
+}
+
+namespace {
+
 struct Vertex {
   geom::Point point;
   double height = 0.0;
@@ -255,24 +279,10 @@ class GocadReader {
     return {};
   }
 
-  // AXIS_UNIT "m" "m" "m", with or without quotes, with blanks inside them.
   Result<void> axis_unit() {
-    std::string text(lines_.line().substr(words_[0].column - 1 + words_[0].text.size()));
-    text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
-    std::vector<Word> units;
-    split_words(text, units);
-    std::vector<double> metres;
-    for (const Word& unit : units) {
-      const std::string name = lower(unit.text);
-      if (name == "m" || name == "meter" || name == "meters" || name == "metre" || name == "metres")
-        metres.push_back(1.0);
-      else if (name == "km")
-        metres.push_back(1000.0);
-      else if (name == "ft" || name == "foot" || name == "feet")
-        metres.push_back(0.3048);
-      else
-        unknown_unit_ = unit.text;
-    }
+    const AxisUnits units = axis_units(lines_.line().substr(words_[0].column - 1 + words_[0].text.size()));
+    const std::vector<double>& metres = units.metres;
+    if (!units.unknown.empty()) unknown_unit_ = units.unknown;
     if (metres.size() != 3) return {};
     if (metres[0] != metres[1] || (features_.stated.unit && *features_.stated.unit != metres[0]) ||
         (features_.stated.height_unit && *features_.stated.height_unit != metres[2])) {

@@ -1,6 +1,6 @@
 #pragma once
-// Polygon meshes in space: OBJ (v, f), OFF and PLY, as text. Read as they stand, without mending: polygon_mesh.h says
-// what is wrong with them.
+// Polygon meshes in space: OBJ (v, f) and OFF, read and written as text, and PLY, written as text. ply.h reads it. Read
+// as they stand, without mending: polygon_mesh.h says what is wrong with them.
 
 #include <span>
 #include <string>
@@ -16,8 +16,6 @@ namespace dobra::io::meshes {
 /// @error BadFormat, NotFinite with line and column.
 base::Result<mesh::PolygonMesh> parse_obj(std::string_view text, const std::string& file);
 base::Result<mesh::PolygonMesh> parse_off(std::string_view text, const std::string& file);
-/// Of the elements, vertex (x, y, z) and face (its first list) count. @error BadFormat too for a binary file.
-base::Result<mesh::PolygonMesh> parse_ply(std::string_view text, const std::string& file);
 
 enum class PolygonFormat { Obj, Off, Ply };
 /// With every digit: the parsers give the same mesh back.

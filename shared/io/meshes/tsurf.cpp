@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <unordered_map>
 
 #include "shared/base/text.h"
+#include "shared/io/lines/gocad.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::meshes {
@@ -61,13 +63,13 @@ class TSurfReader {
     inside_ = surface;
     current_ = {};
     numbers_.clear();
-    unit_ = 1.0;
+    units_ = {1.0, 1.0, 1.0};
     depth_ = in_header_ = false;
   }
   void finish() {
     if (!inside_) return;
     for (geom::Point3& p : current_.mesh.points) {
-      p = {p.x * unit_, p.y * unit_, p.z * unit_ * (depth_ ? -1.0 : 1.0)};
+      p = {p.x * units_[0], p.y * units_[1], p.z * units_[2] * (depth_ ? -1.0 : 1.0)};
     }
     // Depths make a left-handed system of a right-handed one.
     if (depth_) {
@@ -100,13 +102,30 @@ class TSurfReader {
       current_.kind = small(records_.word(1));
       if (current_.kind == "top") current_.kind = "horizon";
     } else if (key == "zpositive" && records_.size() > 1) {
-      depth_ = small(records_.word(1)) == "depth";
-    } else if (key == "axis_unit" && records_.size() > 1) {
-      const std::string unit = small(trimmed(records_.word(1)));
-      unit_ = unit == "km" ? 1000.0 : unit == "ft" ? 0.3048 : 1.0;
+      const std::string_view up = records_.word(1);
+      if (small(up) != "elevation" && small(up) != "depth")
+        return records_.error(1, fmt::format("ZPOSITIVE {} is neither Elevation nor Depth", shown(up)));
+      depth_ = small(up) == "depth";
+    } else if (key == "axis_unit") {
+      return axis_unit();
     }
     return {};
   }
+
+  /// No unit at all, as in three pairs of quotes, states none.
+  Result<void> axis_unit() {
+    const lines::AxisUnits units =
+        lines::axis_units(records_.line().substr(records_.line().find_first_not_of(" \t") + key_length));
+    if (!units.unknown.empty()) {
+      return records_.error(
+          1, fmt::format("AXIS_UNIT {} is not m, km or ft; write the surface in one of them", shown(units.unknown)));
+    }
+    if (units.metres.empty()) return {};
+    if (units.metres.size() != units_.size()) return records_.error(1, "AXIS_UNIT needs a unit each of x, y and z");
+    std::copy(units.metres.begin(), units.metres.end(), units_.begin());
+    return {};
+  }
+  static constexpr std::size_t key_length = std::string_view("AXIS_UNIT").size();
 
   /// "HEADER {name:top}" in one line or in several.
   void header(std::string_view text) {
@@ -140,7 +159,7 @@ class TSurfReader {
   TSurf current_;
   std::unordered_map<std::int64_t, std::uint32_t> numbers_;
   bool inside_ = false, in_header_ = false, depth_ = false;
-  double unit_ = 1.0;
+  std::array<double, 3> units_{1.0, 1.0, 1.0};  ///< Of the axes, in metres.
 };
 
 /// As a header can hold it and as it is read again.

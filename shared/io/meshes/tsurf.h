@@ -18,10 +18,10 @@ struct TSurf {
   mesh::PolygonMesh mesh = {};
 };
 
-/// The surfaces of a file, z up, metres: ZPOSITIVE Depth turns heights, AXIS_UNIT "km" and "ft" are turned too. Other
-/// objects, properties of vertices, borders and their stones are passed over.
+/// The surfaces of a file, z up, metres: ZPOSITIVE Depth turns heights, and AXIS_UNIT says for each axis
+/// whether it is in m, km or ft. Other objects, properties of vertices, borders and their stones are passed over.
 /// @error BadFormat with line and column: no TSurf, a vertex or triangle that is not well formed, a vertex that is not
-///        there, the end missing; NotFinite.
+///        there, another unit, the end missing; NotFinite.
 /// @cost  O(file size)
 base::Result<std::vector<TSurf>> parse_tsurfs(std::string_view text, const std::string& file);
 /// All of them as one mesh.

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "shared/io/formats/mesh_file.h"
-#include "shared/io/meshes/polygon_file.h"
 #include "tests/shared/io/io_examples.h"
 
 namespace dobra::io::meshes {
@@ -89,17 +88,6 @@ TEST(MeshPolygons, APolyHoldsTheLinesWithAPointInEachHole) {
   ASSERT_EQ(poly->holes.size(), 1U);
   EXPECT_TRUE(poly->holes[0].x > 1 && poly->holes[0].x < 2 && poly->holes[0].y > 1 && poly->holes[0].y < 2);
   EXPECT_EQ(poly->regions.size(), 2U);
-}
-
-TEST(MeshPolygons, PlyWithFaultsIsRefusedWithItsLine) {
-  EXPECT_THAT(to_string(parse_ply("ply\nformat binary_little_endian 1.0\nend_header\n", "f.ply").error()),
-              HasSubstr("f.ply:2"));
-  const std::string head =
-      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face "
-      "1\nproperty list uchar int vertex_indices\nend_header\n";
-  EXPECT_THAT(to_string(parse_ply(head + "0 0 0\n3 0 0 7\n", "f.ply").error()), HasSubstr("there is no point 7"));
-  EXPECT_FALSE(parse_ply(head + "0 0 0\n", "f.ply").ok());
-  EXPECT_FALSE(parse_ply(head + "0 0\n3 0 0 0\n", "f.ply").ok());
 }
 
 }  // namespace

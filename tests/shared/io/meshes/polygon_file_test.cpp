@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/ply.h"
 #include "tests/shared/io/io_examples.h"
 
 namespace dobra::io::meshes {

@@ -52,6 +52,28 @@ TEST(TSurfFile, OtherSpellingsAreRead) {
       parse_tsurf("GOCAD TSurf 1\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n", "f")->faces.size(), 1u);
 }
 
+std::string with_units(const std::string& units) {
+  return "GOCAD TSurf 1\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT " + units +
+         "\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 0\nVRTX 2 2 0 0\nVRTX 3 2 4 -8\nTRGL 1 2 3\nEND\n";
+}
+
+TEST(TSurfFile, EachAxisHasItsUnit) {
+  const auto last = [](const std::string& units) {
+    const auto read = parse_tsurf(with_units(units), "f");
+    EXPECT_TRUE(read.ok()) << units;
+    return read.ok() ? read->points[2] : Point3{};
+  };
+  EXPECT_EQ(last("m m ft"), (Point3{2, 4, -8 * 0.3048}));
+  EXPECT_EQ(last("\"M\" \" m \" \"FEET\""), (Point3{2, 4, -8 * 0.3048}));
+  EXPECT_EQ(last("ft ft m"), (Point3{2 * 0.3048, 4 * 0.3048, -8}));
+  EXPECT_EQ(last("km km m"), (Point3{2000, 4000, -8}));
+  EXPECT_EQ(last("\"\" \"\" \"\""), (Point3{2, 4, -8})) << "no unit is stated";
+  refused(parse_tsurfs(with_units("m m ms"), "f"), 3, "'ms' is not m, km or ft");
+  refused(parse_tsurfs(with_units("inch m m"), "f"), 3, "'inch' is not m");
+  refused(parse_tsurfs(with_units("m m"), "f"), 3, "each of x, y and z");
+  refused(parse_tsurfs("GOCAD TSurf 1\nZPOSITIVE Downwards\nEND\n", "f"), 2, "neither Elevation nor Depth");
+}
+
 TEST(TSurfFile, WhatIsWrittenComesBackToTheBit) {
   const std::vector<TSurf> all{
       {"A {1}", "horizon", {{{0.1, 1.0 / 3.0, -7e5}, {1, 0, 0}, {1, 1, 1e-9}, {0, 1, 0}}, {{0, 1, 2, 3}}}},
