@@ -152,9 +152,10 @@ Result<Header> read_header(Records& records) {
 }
 
 Error more_than_counted(std::size_t points, std::size_t faces) {
-  return {ErrorCode::BadFormat, fmt::format("the header counts {} points and {} faces, and here is one more record: mend "
-                                            "the counts, or take it out",
-                                            points, faces)};
+  return {ErrorCode::BadFormat,
+          fmt::format("the header counts {} points and {} faces, and here is one more record: mend "
+                      "the counts, or take it out",
+                      points, faces)};
 }
 
 /// The records of a text: a line each.
@@ -263,8 +264,10 @@ template <class Body>
 Result<void> read_vertex(Body& body, const Element& element, PolygonMesh& mesh) {
   Point3 point;
   for (const Property& property : element.properties) {
-    double* const into =
-        property.name == "x" ? &point.x : property.name == "y" ? &point.y : property.name == "z" ? &point.z : nullptr;
+    double* const into = property.name == "x"   ? &point.x
+                         : property.name == "y" ? &point.y
+                         : property.name == "z" ? &point.z
+                                                : nullptr;
     if (property.count) {
       DOBRA_TRY(const std::size_t count, body.list_size(property));
       DOBRA_TRY_VOID(body.skip(property.number, count));

@@ -36,9 +36,9 @@ std::string header(const std::string& format, const std::string& end = "\n") {
         std::string("element vertex 5"), std::string("property uchar red"), std::string("property float y"),
         std::string("property list uchar short marks"), std::string("property double x"),
         std::string("property int16 z"), std::string("element edge 2"), std::string("property int a"),
-        std::string("property uint8 b"), std::string("element face 3"), std::string("property list uint8 float texcoord"),
-        std::string("property list int uint vertex_indices"), std::string("property char flag"),
-        std::string("end_header")})
+        std::string("property uint8 b"), std::string("element face 3"),
+        std::string("property list uint8 float texcoord"), std::string("property list int uint vertex_indices"),
+        std::string("property char flag"), std::string("end_header")})
     made += line + end;
   return made;
 }
@@ -62,9 +62,7 @@ std::string body(bool big, float y = 0.1F) {
   return b.text;
 }
 
-std::string said(const base::Result<mesh::PolygonMesh>& read) {
-  return read.ok() ? "" : base::to_string(read.error());
-}
+std::string said(const base::Result<mesh::PolygonMesh>& read) { return read.ok() ? "" : base::to_string(read.error()); }
 
 TEST(PlyFile, BinaryOfEitherByteOrderIsTheTextOfTheSameNumbers) {
   std::string text = header("ascii");
@@ -113,8 +111,24 @@ TEST(PlyFile, CutAnywhereItIsRefused) {
     ASSERT_FALSE(read.ok()) << size;
     EXPECT_THAT(said(read), HasSubstr("b.ply")) << size;
   }
-  EXPECT_THAT(said(parse_ply(whole.substr(0, whole.size() - 1), "b.ply")), HasSubstr("face 3 of 3: the file ends here"));
+  EXPECT_THAT(said(parse_ply(whole.substr(0, whole.size() - 1), "b.ply")),
+              HasSubstr("face 3 of 3: the file ends here"));
   EXPECT_THAT(said(parse_ply(whole + "x", "b.ply")), HasSubstr("counts 5 points and 3 faces"));
+}
+
+TEST(PlyFile, AnyByteChangedIsReadOrRefusedInWords) {
+  const std::string whole = header("binary_little_endian") + body(false);
+  std::size_t refusals = 0;
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    for (const char value : {'\0', '\n', '9', '\x7f', '\xff'}) {
+      std::string changed = whole;
+      changed[at] = value;
+      const auto read = parse_ply(changed, "b.ply");
+      if (!read.ok()) EXPECT_THAT(said(read), HasSubstr("b.ply")) << at;
+      if (!read.ok()) ++refusals;
+    }
+  }
+  EXPECT_GT(refusals, whole.size());
 }
 
 TEST(PlyFile, WhatIsWrongNamesItsRecordOrLine) {
