@@ -106,7 +106,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"quebra/repair", {"quebra/domain"}},
       {"quebra/model", {"quebra/domain", "shared/mesh/sizing", "shared/fem/fracture", "shared/surf/mesh"}},
       {"quebra/meshing", {"quebra/model", "shared/mesh/front", "shared/surf/paper", "shared/offset"}},
-      {"quebra/surfaces", {"quebra/meshing", "shared/io/faces"}},
+      {"quebra/surfaces", {"quebra/meshing", "shared/io/faces", "shared/solid"}},
       {"quebra/solids", {"quebra/meshing", "shared/io/formats", "shared/solid/csg"}},
       {"quebra/analysis", {"quebra/meshing"}},
       {"quebra/core", {"quebra/repair", "quebra/analysis", "quebra/surfaces", "quebra/solids", "shared/operations"}},

@@ -228,9 +228,9 @@ Verdict of_domain(const model::Model& model) {
 /// Names of borders and lines of a face, with their lengths in space.
 Json lines_of(const surf::trim::TrimmedSurface& face, const InUnits& in_units) {
   Json lines = Json::array();
-  const auto add = [&](const surf::trim::ChartEdge& edge, const char* kind) {
+  const auto add = [&](const surf::trim::ChartEdge& edge, const char* kind, double part = 1.0) {
     if (edge.name.empty() || edge.name == surf::trim::artificial_border) return;
-    const double own = in_units(surf::mesh::EdgeInSpace(face.surface, edge).length());
+    const double own = part * in_units(surf::mesh::EdgeInSpace(face.surface, edge).length());
     const auto known =
         std::find_if(lines.begin(), lines.end(), [&](const Json& line) { return line["name"] == edge.name; });
     if (known != lines.end()) {
@@ -240,7 +240,13 @@ Json lines_of(const surf::trim::TrimmedSurface& face, const InUnits& in_units) {
     }
   };
   for (const auto& loop : face.loops) {
-    for (const auto& edge : loop.edges) add(edge, "border");
+    for (const auto& edge : loop.edges) {
+      if (edge.crack == surf::trim::ChartEdge::Crack::None) {
+        add(edge, "border");
+      } else {
+        add(edge, "crack", 0.5);  // the seam has two sides
+      }
+    }
   }
   for (const auto& line : face.lines) {
     const bool crack = line.kind == surf::trim::ChartLine::Kind::Crack;

@@ -167,6 +167,12 @@ class Doubts {
       return std::any_of(left_.loops.begin(), left_.loops.end(),
                          [&](const auto& loop) { return std::any_of(loop.edges.begin(), loop.edges.end(), named); });
     };
+    const auto on_seam = [&] {
+      return std::any_of(left_.loops.begin(), left_.loops.end(), [&](const auto& loop) {
+        return std::any_of(loop.edges.begin(), loop.edges.end(),
+                           [&](const ChartEdge& edge) { return named(edge) && edge.crack != ChartEdge::Crack::None; });
+      });
+    };
     if (trim.role == TrimRole::Cut) {
       const std::vector<std::size_t>& own = of_[trim.name];
       const bool parts = std::any_of(own.begin(), own.end(), [&](std::size_t i) { return pieces_[i].parting; });
@@ -178,7 +184,7 @@ class Doubts {
     } else if (lies_on_crack(trim.name)) {
       return;
     } else if (trim.role == TrimRole::Crack) {
-      if (in_lines()) return;
+      if (in_lines() || on_seam()) return;
       say("crack_opens_nothing",
           fmt::format("the crack '{}' opens nothing: it lies on a border, or outside what is left of the surface",
                       trim.name),

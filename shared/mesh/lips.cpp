@@ -150,10 +150,21 @@ CrackTip make_tip(const ElementMesh& mesh, std::string name, NodeId ahead, NodeI
   return {std::move(name), ahead, geom::normalised(mesh.point(ahead) - mesh.point(behind))};
 }
 
-/// The ends of a chain of sides in order of travel: {start, next to it}, {end, before it}.
+/// The ends of a chain of sides in order of travel, or of parts of it in any order: {start, next to it}, {end, before
+/// it}.
 std::array<std::array<NodeId, 2>, 2> ends_of(const ElementMesh& mesh, const std::vector<ElementSide>& left) {
-  const auto first = side_nodes(mesh, left.front());
-  const auto last = side_nodes(mesh, left.back());
+  std::set<NodeId> starts, ends;
+  for (const ElementSide& side : left) {
+    const auto nodes = side_nodes(mesh, side);
+    starts.insert(nodes[0]);
+    ends.insert(nodes[1]);
+  }
+  const auto begins = [&](const ElementSide& side) { return !ends.contains(side_nodes(mesh, side)[0]); };
+  const auto stops = [&](const ElementSide& side) { return !starts.contains(side_nodes(mesh, side)[1]); };
+  const auto first_of = std::find_if(left.begin(), left.end(), begins);
+  const auto last_of = std::find_if(left.rbegin(), left.rend(), stops);
+  const auto first = side_nodes(mesh, first_of == left.end() ? left.front() : *first_of);
+  const auto last = side_nodes(mesh, last_of == left.rend() ? left.back() : *last_of);
   return {{{first[0], first[1]}, {last[1], last[0]}}};
 }
 

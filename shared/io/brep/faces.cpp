@@ -34,7 +34,10 @@ class Walk {
     const Placement placement = at * use.placement;
     if (shape.kind == ShapeKind::Face) return add(use.shape, orientation, placement);
     if (shape.kind < ShapeKind::Face) return {};
+    const bool solid = shape.kind == ShapeKind::Solid;
+    if (solid) solid_ = solids_++;
     for (const Use& part : shape.parts) DOBRA_TRY_VOID(enter(part, orientation, placement));
+    if (solid) solid_.reset();
     return {};
   }
 
@@ -45,8 +48,9 @@ class Walk {
     const Shape& shape = model_.shapes[number];
     const Face& face = std::get<Face>(shape.is);
     const base::Place place{.file = model_.file, .line = shape.line, .item = fmt::format("face {}", faces.size() + 1)};
-    TrimmedFace trimmed{number, face.surface, at * face.placement, orientation == Orientation::Reversed, face.natural,
-                        {},     place};
+    TrimmedFace trimmed{
+        number, face.surface, at * face.placement, orientation == Orientation::Reversed, face.natural, solid_,
+        {},     place};
     for (const Use& part : shape.parts) {
       if (model_.shapes[part.shape].kind != ShapeKind::Wire) continue;  // an edge or a vertex by itself bounds nothing
       std::vector<LoopEdge> loop;
@@ -83,7 +87,8 @@ class Walk {
   }
 
   const Model& model_;
-  std::size_t uses_ = 0;
+  std::size_t uses_ = 0, solids_ = 0;
+  std::optional<std::size_t> solid_;  // that is being walked through
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct TrimmedFace {
   Placement placement;           ///< Of the surface in the world.
   bool reversed = false;         ///< The face looks against the normal of its surface.
   bool natural = false;
+  std::optional<std::size_t> solid;          ///< Number of the solid it is of, from 0; none: of a sheet.
   std::vector<std::vector<LoopEdge>> loops;  ///< By wires. The face's own orientation is not in it.
   /// Where it stands in the file: its line, "face 3".
   base::Place place;

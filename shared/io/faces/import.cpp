@@ -6,6 +6,7 @@
 #include <map>
 
 #include "shared/io/faces/face.h"
+#include "shared/io/faces/open_solids.h"
 #include "shared/io/faces/unlike_edges.h"
 
 namespace dobra::io::faces {
@@ -37,6 +38,7 @@ base::Result<Imported> faces_of_model(const brep::Model& model, const ImportOpti
     }
   }
   part_unlike_edges(made.faces, places, made.findings);
+  tell_open_solids(model, faces, made.findings);
   return made;
 }
 

@@ -26,7 +26,7 @@ struct Imported {
   /// Codes of what was mended: face_twice, gap_closed, edge_dropped, edge_twice, edge_turned,
   /// loop_split, loop_turned, loop_dropped, period_shifted, seam_added, side_added, natural_bounds, curve_projected,
   /// curve_held, curves_apart, edges_cross. Codes of faces left out, face_ and the reason: face_surface, face_curve,
-  /// face_open, face_endless, face_crossing, face_apart, face_outside, face_empty.
+  /// face_open, face_endless, face_crossing, face_apart, face_outside, face_empty. Of solids: solid_open.
   std::vector<surf::mesh::Finding> findings;
   std::size_t refused = 0;  ///< Faces that are left out, each with one finding.
 };

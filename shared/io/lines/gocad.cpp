@@ -15,6 +15,7 @@
 #include <unordered_map>
 
 #include "shared/base/text.h"
+#include "shared/io/axis_units.h"
 #include "shared/io/file.h"
 #include "shared/io/scan.h"
 
@@ -33,30 +34,6 @@ std::string lower(std::string_view text) {
                  [](unsigned char c) { return static_cast<char>(c < 128 ? std::tolower(c) : c); });
   return made;
 }
-
-}  // namespace
-
-AxisUnits axis_units(std::string_view text) {
-  std::string plain(text);
-  plain.erase(std::remove(plain.begin(), plain.end(), '"'), plain.end());
-  std::vector<Word> words;
-  split_words(plain, words);
-  AxisUnits units;
-  for (const Word& word : words) {
-    const std::string name = lower(word.text);
-    if (name == "m" || name == "meter" || name == "meters" || name == "metre" || name == "metres")
-      units.metres.push_back(1.0);
-    else if (name == "km")
-      units.metres.push_back(1000.0);
-    else if (name == "ft" || name == "foot" || name == "feet")
-      units.metres.push_back(0.3048);
-    else
-      units.unknown = word.text;
-  }
-  return units;
-}
-
-namespace {
 
 struct Vertex {
   geom::Point point;

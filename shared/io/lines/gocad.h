@@ -27,14 +27,6 @@ base::Result<Features> read_gocad(const std::string& path);
 /// A name as a GOCAD header can hold it and as it is read again: on one line, without braces or blanks at its ends.
 std::string gocad_name(std::string name);
 
-/// What an AXIS_UNIT says, one entry an axis.
-struct AxisUnits {
-  std::vector<double> metres = {};  ///< Of those that are m, km or ft, in their order.
-  std::string unknown = {};         ///< The last one that is none of them; empty: there is none.
-};
-/// @param text  what follows the key: three units, with or without quotes, with blanks inside them or not.
-AxisUnits axis_units(std::string_view text);
-
 /// One PLine a line feature and polygon ring, one VSet a Points feature; heights are elevations in metres; every digit
 /// kept. What is read from this text gives the same text again. Holes of polygons become rings like others; of the
 /// properties only "geological_feature" is kept.

@@ -10,7 +10,7 @@
 #include <unordered_map>
 
 #include "shared/base/text.h"
-#include "shared/io/lines/gocad.h"
+#include "shared/io/axis_units.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::meshes {
@@ -114,8 +114,7 @@ class TSurfReader {
 
   /// No unit at all, as in three pairs of quotes, states none.
   Result<void> axis_unit() {
-    const lines::AxisUnits units =
-        lines::axis_units(records_.line().substr(records_.line().find_first_not_of(" \t") + key_length));
+    const AxisUnits units = axis_units(records_.line().substr(records_.line().find_first_not_of(" \t") + key_length));
     if (!units.unknown.empty()) {
       return records_.error(
           1, fmt::format("AXIS_UNIT {} is not m, km or ft; write the surface in one of them", shown(units.unknown)));

@@ -34,6 +34,11 @@ class Joiner {
     }
     name_regions();
     for (std::size_t f = 0; f < faces_.size(); ++f) DOBRA_TRY_VOID(add_face(f));
+    for (const auto& [name, sides] : division_.cracks_on_seams) {
+      for (const auto& [a, b] : sides) {
+        if (a != b) mesh_.constraint_sets[name].push_back({NodeId(a), NodeId(b)});
+      }
+    }
     sort_sets();
     return std::move(mesh_);
   }

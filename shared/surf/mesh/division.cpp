@@ -17,6 +17,7 @@ using base::Result;
 using dobra::mesh::delaunay::EdgeKind;
 using geom::Point;
 using geom::Point3;
+using trim::ChartEdge;
 using trim::ChartLine;
 using trim::TrimmedSurface;
 
@@ -279,11 +280,17 @@ class Divider {
       const EdgeKind kind = !edge.line                                 ? EdgeKind::Boundary
                             : *edge.line == ChartLine::Kind::Interface ? EdgeKind::Interface
                                                                        : EdgeKind::Constraint;
+      const ChartEdge::Crack on_seam = edge.line ? ChartEdge::Crack::None : edge.space.edge().crack;
+      const std::string set_name = on_seam == ChartEdge::Crack::None ? edge.name : std::string{};
       const auto [set, is_new] =
-          sets.try_emplace({edge.name, kind}, static_cast<std::uint32_t>(input.chart.sets.size()));
-      if (is_new) input.chart.sets.push_back({edge.name, kind});
-      if (edge.line == ChartLine::Kind::Crack && named_cracks_.insert(edge.name).second) {
-        division_.cracks.push_back(edge.name);
+          sets.try_emplace({set_name, kind}, static_cast<std::uint32_t>(input.chart.sets.size()));
+      if (is_new) input.chart.sets.push_back({set_name, kind});
+      const bool opens = edge.line == ChartLine::Kind::Crack || on_seam != ChartEdge::Crack::None;
+      if (opens && named_cracks_.insert(edge.name).second) division_.cracks.push_back(edge.name);
+      for (std::size_t i = 1; on_seam != ChartEdge::Crack::None && i < divided_[p].node.size(); ++i) {
+        std::array<std::uint32_t, 2> side{divided_[p].node[i - 1], divided_[p].node[i]};
+        if (on_seam == ChartEdge::Crack::Against) std::swap(side[0], side[1]);
+        division_.cracks_on_seams[edge.name].push_back(side);
       }
       emit_piece(p, set->second, input);
     }

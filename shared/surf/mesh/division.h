@@ -50,7 +50,9 @@ struct Division {
   std::uint32_t nodes = 0;          ///< Numbers of nodes are below this, and all are used.
   Middles middles;                  ///< One a side.
   std::vector<std::string> cracks;  ///< Sets to be opened into two lips; each once.
-  std::vector<Finding> findings;    ///< "gap_closed", "kink".
+  /// Of these, sides on seams by their nodes, as the crack runs; each is there for both sides of the seam.
+  std::map<std::string, std::vector<std::array<std::uint32_t, 2>>> cracks_on_seams;
+  std::vector<Finding> findings;  ///< "gap_closed", "kink".
 };
 
 /// A surface without loops is meant whole: sides that are the same points in space are divided once, a side that is one

@@ -129,6 +129,16 @@ std::string drawn_along(const ChartEdge& low, const ChartEdge& high) {
   return {};
 }
 
+/// An edge on a seam, along the crack that runs there.
+ChartEdge along_crack(ChartEdge edge) {
+  if (edge.crack == ChartEdge::Crack::Against) {
+    std::swap(edge.from, edge.to);
+    edge.against = !edge.against;
+  }
+  edge.crack = ChartEdge::Crack::None;
+  return edge;
+}
+
 /// A part of a face that touches one pole, in the chart round it.
 base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   const Surface surface = face.surface;
@@ -138,7 +148,10 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
     if (lies_on_side(chart, pole, rings.edge(i))) rings.take_out(i);
   }
   for (const auto& [i, k] : seams_in(surface, rings)) {
-    if (const std::string name = drawn_along(rings.edge(i), rings.edge(k)); !name.empty()) {
+    if (rings.edge(i).crack != ChartEdge::Crack::None) {
+      face.lines.push_back({{along_crack(rings.edge(i))}, ChartLine::Kind::Crack});
+      face.lines.back().edges[0].shared.reset();
+    } else if (const std::string name = drawn_along(rings.edge(i), rings.edge(k)); !name.empty()) {
       face.lines.push_back({{rings.edge(i)}, ChartLine::Kind::Constraint});
       face.lines.back().edges[0].name = name;
       face.lines.back().edges[0].shared.reset();
@@ -261,13 +274,24 @@ PoleCut cut_between_poles(const TrimmedSurface& face, bool along_u) {
 /// Recognised anew, with its seams numbered and, where asked, cut apart between two poles.
 base::Result<Recognised> recognised_again(const TrimmedSurface& face, const std::optional<PoleCut>& cut,
                                           SharedNumbers& numbers, const RecogniseOptions& options) {
-  std::vector<TrimLine> lines;
+  std::vector<TrimLine> lines, cracks;
   if (cut) {
     const Box& chart = face.surface.chart();
     lines.push_back({{{cut->along_u ? straight({chart.low.x, cut->at}, {chart.high.x, cut->at}, artificial_border)
                                     : straight({cut->at, chart.low.y}, {cut->at, chart.high.y}, artificial_border)}}});
   }
-  for (const ChartLoop& loop : face.loops) lines.push_back({{loop.edges}, true});
+  for (const ChartLoop& loop : face.loops) {
+    lines.push_back({{loop.edges}, true});
+    for (ChartEdge& edge : lines.back().line.edges) {
+      if (edge.crack == ChartEdge::Crack::None) continue;
+      TrimLine crack{{{along_crack(edge)}, ChartLine::Kind::Crack}, false, false};
+      crack.line.edges[0].shared.reset();
+      cracks.push_back(std::move(crack));
+      edge.name.clear();
+      edge.crack = ChartEdge::Crack::None;
+    }
+  }
+  lines.insert(lines.end(), cracks.begin(), cracks.end());
   for (const ChartLine& line : face.lines) lines.push_back({line, false, false});
   RecogniseOptions nameless = options;
   nameless.name_sides = false;
@@ -316,6 +340,7 @@ base::Result<std::vector<Opened>> open(const TrimmedSurface& face, SharedNumbers
     Opened same{face, [](Point p) { return p; }, false};
     Rings rings(face.loops);
     for (const auto& [i, k] : seams_in(face.surface, rings)) {
+      if (rings.edge(i).crack != ChartEdge::Crack::None) continue;
       const std::string name = drawn_along(rings.edge(i), rings.edge(k));
       rings.edge(i).name = rings.edge(k).name = name.empty() ? artificial_border : name;
     }

@@ -119,6 +119,7 @@ class Recogniser {
     for (const Arc& arc : s.arcs.arcs) {
       const Strand& own = s.arcs.strands[arc.strand];
       ChartEdge edge = own.edge;
+      edge.crack = ChartEdge::Crack::None;
       edge.from = std::lerp(own.edge.from, own.edge.to, arc.from);
       edge.to = std::lerp(own.edge.from, own.edge.to, arc.to);
       edge = with_ends(edge, s.arcs.chart, s.arcs.uv(s.arcs.vertices[arc.start]), s.arcs.uv(s.arcs.vertices[arc.end]),

@@ -16,13 +16,29 @@ using topo::EdgeId;
 using topo::HalfEdgeId;
 using topo::Subdivision;
 
+std::vector<const CrackOnArc*> Recognised::State::cracks_on_seams(const Parts& of, int number) const {
+  std::vector<const CrackOnArc*> found(edges.size(), nullptr);
+  for (std::size_t f = 0; f < steps.size(); ++f) {
+    for (const StepOver& step : steps[f]) {
+      if (!step.seam || of[f] != number || of[step.to] != number) continue;
+      const auto& crack = cracks[step.arc] ? cracks[step.arc] : cracks[*step.seam];
+      if (crack) found[step.arc] = found[*step.seam] = &*crack;
+    }
+  }
+  return found;
+}
+
 TrimmedSurface Recognised::State::face(const Parts& of, int number, CommonLines common) const {
+  const std::vector<const CrackOnArc*> on_seams = cracks_on_seams(of, number);
   std::vector<std::pair<double, ChartLoop>> loops;
   for (const std::vector<HalfEdgeId>& round : loops_round(faces, of, number)) {
     ChartLoop loop;
     for (const HalfEdgeId h : round) {
       const Chord chord = faces.chords[h.index()];
-      if (chord.first) loop.edges.push_back(edge(chord.arc, chord.forward));
+      if (!chord.first) continue;
+      ChartEdge made = edge(chord.arc, chord.forward);
+      if (const CrackOnArc* crack = on_seams[chord.arc]) made = opened(std::move(made), chord.forward, *crack);
+      loop.edges.push_back(std::move(made));
     }
     loops.emplace_back(turned_area(faces, round), std::move(loop));
   }

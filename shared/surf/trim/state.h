@@ -49,6 +49,14 @@ struct Recognised::State {
     made.against = !made.against;
     return made;
   }
+  /// As a side of a seam along which a crack runs.
+  [[nodiscard]] static ChartEdge opened(ChartEdge edge, bool forward, const CrackOnArc& crack) {
+    edge.name = crack.name;
+    edge.crack = crack.against == forward ? ChartEdge::Crack::Against : ChartEdge::Crack::Along;
+    return edge;
+  }
+  /// One an arc: the crack on the seam that it is a side of, where a face has both sides.
+  [[nodiscard]] std::vector<const CrackOnArc*> cracks_on_seams(const Parts& of, int number) const;
   /// As a line inside: a crack comes before what runs along with it.
   [[nodiscard]] ChartEdge edge_inside(std::size_t arc) const {
     if (!cracks[arc]) return edges[arc];

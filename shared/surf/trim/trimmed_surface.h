@@ -24,6 +24,9 @@ struct ChartEdge {
   std::optional<SharedCurveId> shared = std::nullopt;
   bool against = false;    ///< Runs against the shared curve.
   double tolerance = 0.0;  ///< Edges that are one curve are at most so far apart in space, m.
+  /// Of a loop, on both sides of a seam inside the face: the mesh is opened there along the crack `name`, which runs
+  /// along the edge or against it.
+  enum class Crack : std::uint8_t { None, Along, Against } crack = Crack::None;
 
   [[nodiscard]] geom::Point at(double t) const {
     const geom::Point3 p = curve.at(t);

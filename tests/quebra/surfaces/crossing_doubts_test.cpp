@@ -1,0 +1,163 @@
+// Surfaces that cut through or cover each other are told with a place on what they have in common, known in closed
+// form; those that meet in lines, touch, or only come near are not.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "quebra/surfaces/mesh_surfaces.h"
+#include "tests/support/surface_scenarios.h"
+
+namespace quebra::surfaces::crossing_doubts_test {
+namespace {
+
+using namespace dobra;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<surf::mesh::Finding> doubts(const std::string& text, double size, double turn = 0.0) {
+  const auto made = test::surfaces_of(text);
+  EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+  std::vector<surf::mesh::Finding> kept;
+  if (!made) return kept;
+  model::SurfaceSet set{.faces = made->faces, .chart_units = {}, .parts = made->parts};
+  for (const ChartUnits& units : made->units) set.chart_units.push_back({units.u, units.v});
+  SurfaceMeshOptions options{.sizes = {.largest = size}};
+  if (turn > 0.0) options.sizes.turn = turn;
+  const auto mesh = mesh_surfaces(set, options);
+  EXPECT_TRUE(mesh.ok()) << (mesh ? "" : to_string(mesh.error()));
+  if (!mesh) return kept;
+  for (const auto& each : mesh->findings) {
+    if (each.code == "surfaces_cross" || each.code == "surfaces_overlap") kept.push_back(each);
+  }
+  return kept;
+}
+
+std::vector<std::string> codes(const std::string& text, double size, double turn = 0.0) {
+  std::vector<std::string> all;
+  for (const auto& finding : doubts(text, size, turn)) all.push_back(finding.code);
+  return all;
+}
+
+std::string surface(const std::string& name, const std::string& kind, const std::string& more) {
+  return "[[input.surface]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\n" + more + "\n";
+}
+std::string internal(const std::string& on, const std::string& points, const std::string& role = "internal") {
+  return "[[input.trim]]\nname = \"" + on + role + "\"\nsurface = \"" + on + "\"\nkind = \"line\"\nrole = \"" + role +
+         "\"\npoints = " + points + "\n";
+}
+const std::string plate = test::plate;
+/// Upright over y = 5 of the plate, from z = low to high.
+std::string web(const std::string& low, const std::string& high) {
+  return surface(
+      "web", "plane",
+      "u = [1, 9]\nv = [" + low + ", " + high + "]\norigin = [0, 5, 0]\naxis = [0, -1, 0]\nx_axis = [1, 0, 0]");
+}
+std::string pipe(const std::string& name, double radius, double y, double z, const std::string& u = "[0, 360]",
+                 const std::string& v = "[0, 8]") {
+  return surface(name, "cylinder",
+                 "axis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = " + v + "\nradius = " + std::to_string(radius) +
+                     "\nu = " + u + "\norigin = [0, " + std::to_string(y) + ", " + std::to_string(z) + "]");
+}
+
+TEST(CrossingDoubts, AWebThroughAPlateIsToldOnTheirLine) {
+  for (const double size : {0.3, 1.0, 4.0}) {
+    const auto found = doubts(plate + web("-2", "3"), size);
+    ASSERT_EQ(found.size(), 1U) << size;
+    EXPECT_EQ(found[0].code, "surfaces_cross");
+    EXPECT_THAT(found[0].message, HasSubstr("line: 1; the first is 'plate' and 'web'"));
+    ASSERT_TRUE(found[0].place.x && found[0].place.y && found[0].place.z);
+    EXPECT_NEAR(*found[0].place.y, 5.0, 1e-12);
+    EXPECT_NEAR(*found[0].place.z, 0.0, 1e-12);
+    EXPECT_TRUE(*found[0].place.x >= 1.0 && *found[0].place.x <= 9.0);
+  }
+}
+
+TEST(CrossingDoubts, AShallowCrossingOfPlanesIsTold) {
+  EXPECT_THAT(codes(plate + web("-0.001", "3"), 1.0), ElementsAre("surfaces_cross"));
+}
+
+TEST(CrossingDoubts, ALineOfBothIsNoCrossing) {
+  const std::string tool =
+      "[[input.trim]]\nname = \"l\"\nsurface = \"plate\"\nkind = \"surface\"\ntool = \"web\"\nrole = \"internal\"\n";
+  EXPECT_THAT(
+      codes(plate + web("-2", "3") + internal("plate", "[[1, 5], [9, 5]]") + internal("web", "[[1, 0], [9, 0]]"), 0.7),
+      IsEmpty());
+  EXPECT_THAT(codes(plate + web("0", "3") + tool, 0.7), IsEmpty());
+  // A line in one of them alone joins nothing.
+  EXPECT_THAT(codes(plate + web("-2", "3") + internal("plate", "[[1, 5], [9, 5]]"), 0.7),
+              ElementsAre("surfaces_cross"));
+}
+
+TEST(CrossingDoubts, LipsOfACrackAreNone) {
+  EXPECT_THAT(codes(plate + web("0", "3") + internal("plate", "[[1, 5], [9, 5]]") +
+                        internal("plate", "[[4, 2], [4, 8]]", "crack"),
+                    0.7),
+              IsEmpty());
+}
+
+TEST(CrossingDoubts, ManyPairsAreCounted) {
+  const auto found = doubts(plate + web("-2", "3") + pipe("pipe", 1.0, 5.0, 0.0), 0.5);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].message, HasSubstr("line: 3; the first is 'plate' and 'web'"));
+}
+
+TEST(CrossingDoubts, PlatesOfOnePlaneThatCoverEachOtherAreTold) {
+  // Tilted, so that no two corners lie exactly in one plane.
+  for (const std::string axis :
+       {"axis = [0, 0, 1]\nx_axis = [1, 0, 0]", "axis = [0.3, 0.5, 0.7]\nx_axis = [1, 0.2, 0]"}) {
+    const std::string a = surface("a", "plane", "u = [0, 5]\nv = [0, 5]\n" + axis);
+    const auto found = doubts(a + surface("b", "plane", "u = [4, 9]\nv = [-1, 3.3]\n" + axis), 0.6);
+    ASSERT_EQ(found.size(), 1U) << axis;
+    EXPECT_EQ(found[0].code, "surfaces_overlap");
+    EXPECT_THAT(codes(a + surface("b", "plane", "u = [1, 4]\nv = [1, 4]\n" + axis), 0.6),
+                ElementsAre("surfaces_overlap"));
+    EXPECT_THAT(codes(a + surface("b", "plane", "u = [5, 9]\nv = [0, 5]\n" + axis), 0.6), IsEmpty());
+    EXPECT_THAT(codes(a + surface("b", "plane", "u = [5, 9]\nv = [1, 2]\n" + axis), 0.6), IsEmpty());
+    EXPECT_THAT(codes(a + surface("b", "plane", "u = [5.001, 9]\nv = [0, 5]\n" + axis), 0.6), IsEmpty());
+  }
+}
+
+TEST(CrossingDoubts, SheetsOfOneCylinderThatCoverEachOtherAreTold) {
+  for (const double size : {0.2, 0.5}) {
+    EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0, "[0, 200]") + pipe("b", 1.0, 0.0, 0.0, "[170, 300]", "[1, 7]"), size),
+                ElementsAre("surfaces_overlap"));
+    EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0, "[0, 200]") + pipe("b", 1.0, 0.0, 0.0, "[200, 300]"), size), IsEmpty());
+  }
+}
+
+TEST(CrossingDoubts, PipesThatCrossAreTold) {
+  const std::string other = surface("b", "cylinder",
+                                    "axis = [0, 1, 0]\nx_axis = [1, 0, 0]\nv = [-4, 4]\nradius = 0.6\n"
+                                    "origin = [4, 0, 0.3]");
+  for (const double size : {0.2, 0.5, 2.0}) {
+    const auto found = doubts(pipe("a", 1.0, 0.0, 0.0) + other, size);
+    ASSERT_EQ(found.size(), 1U) << size;
+    EXPECT_EQ(found[0].code, "surfaces_cross");
+    const double y = *found[0].place.y, z = *found[0].place.z, x = *found[0].place.x;
+    EXPECT_NEAR(std::hypot(y, z), 1.0, 0.05);
+    EXPECT_NEAR(std::hypot(x - 4.0, z - 0.3), 0.6, 0.05);
+  }
+  EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0) + pipe("b", 1.0, 1.5, 0.0), 0.3), ElementsAre("surfaces_cross"));
+}
+
+TEST(CrossingDoubts, WhatTouchesOrComesNearIsNotTold) {
+  for (const double size : {0.2, 0.5}) {
+    EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0) + pipe("b", 1.0, 2.0, 0.0), size), IsEmpty()) << "beside";
+    EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0) + pipe("b", 0.6, 0.4, 0.0), size), IsEmpty()) << "in it";
+    EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0) + pipe("b", 1.01, 0.0, 0.0), size), IsEmpty()) << "round it";
+    EXPECT_THAT(codes(plate + surface("ball", "sphere", "radius = 1\norigin = [5, 5, 1]"), size), IsEmpty()) << "ball";
+    EXPECT_THAT(codes(plate + web("0.01", "3"), size), IsEmpty()) << "above";
+    EXPECT_THAT(codes(plate + pipe("lying", 1.0, 5.0, 1.0), size), IsEmpty()) << "pipe on a plate";
+  }
+}
+
+TEST(CrossingDoubts, OneSurfaceHasNone) {
+  EXPECT_THAT(codes(surface("c", "torus", "radius = 3\nminor_radius = 1"), 0.4), IsEmpty());
+}
+
+}  // namespace
+}  // namespace quebra::surfaces::crossing_doubts_test
