@@ -257,6 +257,7 @@ Json figures_of(const surf::remesh::Remeshed& made) {
   json["deviation"] = made.deviation;
   json["flipped"] = made.flipped;
   json["creases"] = made.creases;
+  json["tips"] = made.tips;
   json["rounds"] = made.rounds;
   json["euler"] = quality.euler;
   json["borders"] = quality.loops;

@@ -86,7 +86,7 @@ struct Numbered {
   const surf::trim::ChartEdge* edge;
   std::size_t face;
   std::uint32_t item;
-  enum class Of { Border, Line, Crack } of;
+  enum class Of { Border, Line, Crack, Seam } of;
 };
 
 std::vector<Numbered> edges_of(const std::vector<surf::trim::TrimmedSurface>& faces) {
@@ -100,8 +100,18 @@ std::vector<Numbered> edges_of(const std::vector<surf::trim::TrimmedSurface>& fa
     all.push_back({&edge, face, item, of});
   };
   for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::map<surf::trim::SharedCurveId, int> sides;  // of the face itself; two are a seam
     for (const auto& loop : faces[f].loops) {
-      for (const auto& edge : loop.edges) add(edge, f, Numbered::Of::Border);
+      for (const auto& edge : loop.edges) {
+        if (edge.shared) ++sides[*edge.shared];
+      }
+    }
+    for (const auto& loop : faces[f].loops) {
+      for (const auto& edge : loop.edges) {
+        const bool crack = edge.crack != surf::trim::ChartEdge::Crack::None;
+        const bool seam = edge.shared && sides[*edge.shared] == 2;
+        add(edge, f, crack ? Numbered::Of::Crack : seam ? Numbered::Of::Seam : Numbered::Of::Border);
+      }
     }
     for (const auto& line : faces[f].lines) {
       const bool crack = line.kind == surf::trim::ChartLine::Kind::Crack;
@@ -116,7 +126,8 @@ template <class Layer, class Content, class Put>
 void add_edges(const std::vector<Numbered>& edges, std::vector<Layer>& layers, Put put) {
   Content borders, inner, cracks;
   for (const Numbered& edge : edges) {
-    Content& to = edge.of == Numbered::Of::Border ? borders : edge.of == Numbered::Of::Crack ? cracks : inner;
+    const bool border = edge.of == Numbered::Of::Border || edge.of == Numbered::Of::Seam;
+    Content& to = border ? borders : edge.of == Numbered::Of::Crack ? cracks : inner;
     put(edge, to);
   }
   const auto add = [&](const char* key, std::string title, const scene::Style& style, Content content) {
@@ -387,6 +398,7 @@ void draw_surfaces_in_space(const model::Model& model, scene::space::SpacePictur
   }
   add_edges<scene::space::Layer, scene::space::Lines>(
       edges_of(set.faces), picture.layers, [&](const Numbered& edge, scene::space::Lines& to) {
+        if (edge.of == Numbered::Of::Seam) return;  // of the chart alone
         const surf::Surface& surface = set.faces[edge.face].surface;
         to.lines.push_back(sampled(*edge.edge, [&](geom::Point uv) { return surface.at(uv); }));
         to.ids.push_back(edge.item);

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "recon/block/cap_lines.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/contour.h"
 #include "shared/io/lines/section_plane.h"
@@ -59,26 +60,6 @@ Strip strip_of(double length, const Strip& over, double reach) {
   return strip;
 }
 
-/// The loops of a region in the axes of the cut, the region on their left.
-std::vector<geom::Polyline> loops_of(const dobra::solid::CapRegion& region, const dobra::solid::SectionFrame& from,
-                                     const CutFrame& to) {
-  std::vector<geom::Polyline> loops;
-  const Point* start = nullptr;
-  for (const geom::Segment& side : region.sides) {
-    if (start == nullptr) {
-      start = &side.from;
-      loops.push_back({{}, true});
-    }
-    const geom::Vector3 p = from.in_space(side.from) - to.origin;
-    loops.back().points.push_back({dot(p, to.along), dot(p, to.up)});
-    if (side.to == *start) start = nullptr;
-  }
-  if (dot(from.along, to.along) < 0.0) {  // seen from behind
-    for (geom::Polyline& loop : loops) loop = geom::reversed(std::move(loop));
-  }
-  return loops;
-}
-
 /// How much of each unit the solids have in the plane.
 void measure_units(const Block& block, const dobra::solid::Cap& cap, BlockCut& made) {
   std::map<std::uint32_t, CutUnit> units;
@@ -114,14 +95,18 @@ Finding empty_finding(Contact contact) {
           {}};
 }
 
-/// Makes the section of the cut sheets.
+/// Whether a border is drawn round a section that none is named in.
+enum class Border { AsDrawn, Always };
+
+/// Makes the section of the cut sheets, or where a block has none, of the faces that were cut.
 class SectionMaker {
  public:
   SectionMaker(const Block& block, const CutFrame& frame, const PlaneSide& side)
       : block_(block), frame_(frame), side_(side) {}
 
-  Section make(std::vector<Finding>& findings) {
+  Section make(const dobra::solid::Cap& cap, Border border, std::vector<Finding>& findings) {
     for (const Sheet& sheet : block_.sheets) add(sheet);
+    if (block_.sheets.empty()) add_faces(block::lines_of(cap, frame_), border, findings);
     add_rails();
     section_.colors = block_.section.colors;
     set_ends();
@@ -153,14 +138,21 @@ class SectionMaker {
     for (const SheetCut& cut : cut_sheet(sheet, side_)) {
       geom::Polyline line{{}, cut.closed};
       for (const Point3 p : cut.points) line.points.push_back(in_plane(p));
-      line = geom::without_repeated_points(std::move(line));
-      if (line.points.size() < (line.closed ? 3U : 2U)) continue;
-      for (geom::Polyline& piece : line.closed ? loops_within({line}, frame_.strip) : within(line, frame_.strip)) {
-        const bool backwards = piece.points.front().x > piece.points.back().x;
-        const bool turn = piece.closed ? geom::signed_area(piece) < 0.0 : sheet.origin == Origin::Horizon && backwards;
-        lines.push_back(turn ? geom::reversed(std::move(piece)) : std::move(piece));
-      }
+      add_within(std::move(line), sheet.origin, lines);
     }
+    return from_left(std::move(lines));
+  }
+  /// What of a line the section has, as lines of its origin run.
+  void add_within(geom::Polyline line, Origin origin, std::vector<geom::Polyline>& lines) const {
+    line = geom::without_repeated_points(std::move(line));
+    if (line.points.size() < (line.closed ? 3U : 2U)) return;
+    for (geom::Polyline& piece : line.closed ? loops_within({line}, frame_.strip) : within(line, frame_.strip)) {
+      const bool backwards = piece.points.front().x > piece.points.back().x;
+      const bool turn = piece.closed ? geom::signed_area(piece) < 0.0 : origin == Origin::Horizon && backwards;
+      lines.push_back(turn ? geom::reversed(std::move(piece)) : std::move(piece));
+    }
+  }
+  static std::vector<geom::Polyline> from_left(std::vector<geom::Polyline> lines) {
     std::stable_sort(lines.begin(), lines.end(), [](const geom::Polyline& a, const geom::Polyline& b) {
       return a.box().centre().x < b.box().centre().x;
     });
@@ -174,21 +166,93 @@ class SectionMaker {
     return made;
   }
 
-  void add(const Sheet& sheet) {
-    std::vector<geom::Polyline> lines = lines_of(sheet);
-    if (sheet.origin == Origin::Border) return add_border(std::move(lines));
+  void add(const Sheet& sheet) { add(sheet.origin, sheet.index, lines_of(sheet)); }
+  void add(Origin origin, std::size_t index, std::vector<geom::Polyline> lines) {
+    if (origin == Origin::Border) return add_border(std::move(lines));
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      switch (sheet.origin) {
+      switch (origin) {
         case Origin::Horizon:
-          add_horizon(block_.section.horizons[sheet.index], std::move(lines[i]), i, lines.size());
+          add_horizon(block_.section.horizons[index], std::move(lines[i]), i, lines.size());
           break;
         case Origin::Line:
-          add_line(block_.section.lines[sheet.index], std::move(lines[i]), i, lines.size());
+          add_line(block_.section.lines[index], std::move(lines[i]), i, lines.size());
           break;
         default:
-          add_unit(block_.section.units[sheet.index], std::move(lines[i]), i, lines.size());
+          add_unit(block_.section.units[index], std::move(lines[i]), i, lines.size());
           break;
       }
+    }
+  }
+
+  /// Lines of the faces between sections go as in the section in front.
+  void add_faces(CapLines faces, Border border, std::vector<Finding>& findings) {
+    std::vector<std::string> lost;
+    const auto add_named = [&](Origin origin, std::size_t index, const std::string& name, const std::string& shown) {
+      std::vector<geom::Polyline> lines;
+      for (geom::Polyline& line : faces.named[name]) add_within(std::move(line), origin, lines);
+      if (!bounds_a_unit(name)) {
+        lost.push_back(shown);
+      } else if (origin == Origin::Line && lines.size() > 1) {
+        lost.push_back(fmt::format("{} between its pieces", shown));
+      }
+      add(origin, index, from_left(std::move(lines)));
+    };
+    const Section& front = block_.section;
+    if (front.units.empty()) {
+      for (std::size_t i = 0; i < front.horizons.size(); ++i) {
+        const std::string& name = front.horizons[i].name;
+        add_named(Origin::Horizon, i, "horizon " + name, fmt::format("horizon '{}'", name));
+      }
+    } else {
+      add_units(faces);
+    }
+    for (std::size_t i = 0; i < front.lines.size(); ++i) {
+      const section::SectionLine& line = front.lines[i];
+      if (line.kind != section::LineKind::Fault && line.kind != section::LineKind::Topography) continue;
+      const std::string kind = kind_name(line.kind);
+      for (geom::Polyline& course : faces.named[kind + " " + line.name]) {
+        if (against(course, line.line)) course = geom::reversed(std::move(course));
+      }
+      add_named(Origin::Line, i, kind + " " + line.name, fmt::format("{} '{}'", kind, line.name));
+    }
+    if (border == Border::Always || faces.named.contains("border"))
+      add_border(loops_within(std::move(faces.border), frame_.strip));
+    for (const section::Marker& marker : front.markers) lost.push_back(fmt::format("marker '{}'", marker.name));
+    if (!lost.empty()) {
+      findings.push_back({"cut_left_out",
+                          fmt::format("what bounds no unit is not of a block between sections: {}; cut through their "
+                                      "surfaces to have it",
+                                      fmt::join(lost, ", ")),
+                          {}});
+    }
+  }
+  [[nodiscard]] bool bounds_a_unit(const std::string& name) const {
+    return std::any_of(block_.units.begin(), block_.units.end(), [&](const BlockUnit& unit) {
+      return std::find(unit.shape.names.begin(), unit.shape.names.end(), name) != unit.shape.names.end();
+    });
+  }
+  /// Whether a line goes the other way than the one of the section in front.
+  [[nodiscard]] bool against(const geom::Polyline& course, const geom::Polyline& drawn) const {
+    geom::Vector as_drawn = drawn.points.back() - drawn.points.front();
+    if (frame_.along.x < 0.0) as_drawn.x = -as_drawn.x;
+    return dot(course.points.back() - course.points.front(), as_drawn) < 0.0;
+  }
+  void add_units(const CapLines& faces) {
+    for (std::size_t u = 0; u < block_.section.units.size(); ++u) {
+      const section::Unit& unit = block_.section.units[u];
+      const std::string& whole = unit.piece_of.empty() ? unit.name : unit.piece_of;
+      const auto same = [&](const section::Unit& other) {
+        return (other.piece_of.empty() ? other.name : other.piece_of) == whole;
+      };
+      if (std::find_if(block_.section.units.begin(), block_.section.units.end(), same) !=
+          block_.section.units.begin() + static_cast<std::ptrdiff_t>(u))
+        continue;  // its first piece has them all
+      std::vector<geom::Polyline> contours;
+      for (const auto& [number, contour] : faces.contours) {
+        const std::string& name = block_.units[number].name;
+        if (name == whole || name == unit.name) add_within(contour, Origin::Unit, contours);
+      }
+      add(Origin::Unit, u, from_left(std::move(contours)));
     }
   }
 
@@ -282,6 +346,19 @@ class SectionMaker {
   std::size_t borders_ = 0;
 };
 
+/// Of the units that the lines of a section bound.
+double area_of(const section::SectionFaces& faces) {
+  double area = 0.0;
+  for (const section::RockUnit& unit : faces.units) area += unit.area;
+  return area;
+}
+
+/// Whether the lines of a section bound what the solids have in the plane.
+bool agrees(double area, const BlockCut& cut) {
+  constexpr double rounding = 1e-9;
+  return !cut.section.units.empty() || std::abs(area - cut.area) <= rounding * cut.area;
+}
+
 /// Faces of the section, and whether its units have the area that the solids have in the plane.
 void make_faces(BlockCut& cut) {
   auto faces = faces_of(cut.section);
@@ -289,10 +366,8 @@ void make_faces(BlockCut& cut) {
     cut.findings.push_back(flaw_finding(faces.error()));
     return;
   }
-  double area = 0.0;
-  for (const section::RockUnit& unit : faces->units) area += unit.area;
-  const double off = std::abs(area - cut.area);
-  if (cut.section.units.empty() && off > 1e-9 * cut.area) {
+  const double area = area_of(*faces);
+  if (!agrees(area, cut)) {
     cut.findings.push_back(
         {"cut_area",
          fmt::format("the section's lines bound {:.9g} m2, and the block has {:.9g} m2 in the plane; "
@@ -317,6 +392,11 @@ base::Result<CutFrame> cut_over(const Block& block, Point from, Point to, const 
   geom::Box section;
   for (const Sheet& sheet : block.sheets) {
     for (const Point3 p : sheet.stations[0]) section.add(Point{p.x, p.z});
+  }
+  if (block.sheets.empty()) {
+    for (const BlockUnit& unit : block.units) {
+      for (const Point3 p : unit.shape.mesh.points) section.add(Point{p.x, p.z});
+    }
   }
   const double reach = options.snap * std::max({block.length, std::abs(section.low.x), std::abs(section.high.x),
                                                 std::abs(block.trace.x), std::abs(block.trace.y)});
@@ -381,7 +461,17 @@ base::Result<BlockCut> cut(const Block& block, const CutFrame& frame) {
     return made;
   }
   const PlaneSide side(made.frame.plane);
-  made.section = SectionMaker(block, made.frame, side).make(made.findings);
+  std::vector<Finding> of_lines;
+  made.section = SectionMaker(block, made.frame, side).make(cap, Border::AsDrawn, of_lines);
+  if (block.sheets.empty()) {
+    const auto faces = faces_of(made.section);
+    if (!faces || !agrees(area_of(*faces), made)) {
+      // Sides between sections are bent where those of a section are straight.
+      of_lines.clear();
+      made.section = SectionMaker(block, made.frame, side).make(cap, Border::Always, of_lines);
+    }
+  }
+  made.findings.insert(made.findings.end(), of_lines.begin(), of_lines.end());
   make_faces(made);
   return made;
 }

@@ -46,7 +46,7 @@ struct BlockCut {
   double area = 0.0;           ///< Of all of them.
   dobra::solid::Contact contact = dobra::solid::Contact::Nothing;  ///< Of the plane with the block.
   /// cut_misses, cut_touches_...: the section is empty; cut_flawed: what RECON has against the section as it stands;
-  /// cut_in_pieces, cut_border: what of its lines could not stay one.
+  /// cut_in_pieces, cut_border: what of its lines could not stay one; cut_left_out: lines that are not of the block.
   std::vector<base::Finding> findings;
 
   [[nodiscard]] bool empty() const { return units.empty(); }
@@ -55,7 +55,9 @@ struct BlockCut {
 /// cut_flawed: what RECON has against a section.
 base::Finding flaw_finding(const base::Error& error);
 
-/// @pre the block was extruded: one between several sections has no sheets to name lines by.
+/// Lines of a block between several sections are those of the faces that were cut, so what bounds no unit is not there
+/// (cut_left_out); kinds, roles and orders are those of the section in front. A border goes round the section where the
+/// sections have one, or where straight sides would not bound what the solids have in the plane.
 /// A plane in one of the block's ends gives the section of that end. A line that the plane cuts several times becomes
 /// pieces, "A (1)", "A (2)", ...; a hanging wall on the left is on the right where the cut is seen from behind.
 /// @error those of solid::Sections::cut.

@@ -111,6 +111,16 @@ Error on_map(Error error, const Block& block, const std::string& item) {
   return base::located(std::move(error), {.item = item});
 }
 
+/// What is on the left of faults is on their right then, and lines run the other way.
+void see_from_behind(section::Section& section) {
+  using section::HangingWall;
+  for (section::SectionLine& line : section.lines) {
+    if (line.hanging_wall == HangingWall::Left || line.hanging_wall == HangingWall::Right)
+      line.hanging_wall = line.hanging_wall == HangingWall::Left ? HangingWall::Right : HangingWall::Left;
+    for (Point& p : line.line.points) p.x = -p.x;
+  }
+}
+
 double area_of(const UnitMap& map, std::size_t unit) {
   double area = 0.0;
   for (const topo::FaceId face : map.faces[unit]) area += map.arrangement.area(face);
@@ -125,11 +135,14 @@ Result<Block> loft(std::span<const LoftedSection> sections) {
   Block block;
   block.section = order[0]->section;
   block.trace = order[0]->trace;
+  bool turned = false;
   if (along_strike(block.trace, middle_of(*order.back())) < 0.0) {  // looked at from the other side
     block.trace.east = -block.trace.east;
     block.trace.north = -block.trace.north;
+    turned = true;
   }
   block.placed = true;
+  if (turned) see_from_behind(block.section);
   std::vector<std::string> names;
   std::vector<UnitMap> maps;
   std::vector<LoftSection> lines;

@@ -19,14 +19,7 @@
 // they come to a vertex twice.
 
 namespace recon::block {
-namespace {
 
-using topo::FaceId;
-using topo::HalfEdgeId;
-using topo::Structure;
-using topo::Subdivision;
-
-/// Of names of lines along one edge; lower counts more.
 int rank_of(const std::string& name) {
   int rank = 0;
   for (const char* kind : {"fault ", "horizon ", "topography ", "border"}) {
@@ -35,6 +28,13 @@ int rank_of(const std::string& name) {
   }
   return rank;
 }
+
+namespace {
+
+using topo::FaceId;
+using topo::HalfEdgeId;
+using topo::Structure;
+using topo::Subdivision;
 
 void name_edges(const std::vector<std::string>& lines, UnitMap& map) {
   const Subdivision& sub = map.arrangement.subdivision();

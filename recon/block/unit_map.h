@@ -26,6 +26,9 @@ struct UnitMap {
   std::vector<base::Finding> findings;
 };
 
+/// Of names of lines along one edge; lower counts more.
+int rank_of(const std::string& name);
+
 /// @error BadSection if nothing bounds a unit; those of faces_of() and UnitOwners::make.  @cost those of them
 base::Result<UnitMap> unit_map(const section::Section& section);
 

@@ -30,6 +30,7 @@ struct SpaceOptions {
   std::string file;
   dobra::cli::ParameterOptions surface{dobra::cli::OutOfRange::BadUsage};
   dobra::cli::ParameterOptions cut{dobra::cli::OutOfRange::BadUsage}, block{dobra::cli::OutOfRange::BadUsage};
+  std::string through = "surfaces";
   std::optional<std::filesystem::path> out;
 };
 
@@ -103,14 +104,14 @@ Result<int> cut_surfaces(Session& session, const SpaceOptions& options) {
   return 0;
 }
 
-/// A document of one section, which is extruded to a block.
-Result<int> cut_extruded(Session& session, const SpaceOptions& options) {
+/// The block of a document: one section that is extruded, or several that are lofted.
+Result<int> cut_whole_block(Session& session, const SpaceOptions& options) {
   scenario::Table cut;
   DOBRA_TRY_VOID(options.cut.set(scenario::fields_of<space::CutParams>(), cut));
   if (options.surface.any() || cut.find("simplify") != nullptr)
     return base::Error{base::ErrorCode::BadUsage,
-                       "options of surfaces are for documents with [[input.section]]; this one has a section that is "
-                       "extruded to a block"};
+                       "options of surfaces are for documents with [[input.section]] that are cut through them, and "
+                       "this one is cut as a block"};
   BlockCutOptions block{options.file, {}, options.out};
   DOBRA_TRY_VOID(options.block.set(session.program.input_fields, block.input));
   if (const scenario::Value* trace = cut.find("trace")) block.input.set("cut", *trace);
@@ -119,12 +120,13 @@ Result<int> cut_extruded(Session& session, const SpaceOptions& options) {
 
 /// What is cut goes by what the document holds.
 Result<int> cut_job(Session& session, const SpaceOptions& options) {
-  if (std::filesystem::path(options.file).extension() != ".toml") return cut_extruded(session, options);
+  if (std::filesystem::path(options.file).extension() != ".toml") return cut_whole_block(session, options);
   DOBRA_TRY(const scenario::Document document, scenario::read_document(options.file));
-  if (document.input.find("section") == nullptr) return cut_extruded(session, options);
+  if (document.input.find("section") == nullptr) return cut_whole_block(session, options);
   if (options.block.any())
     return base::Error{base::ErrorCode::BadUsage,
                        "--along-strike is for a document of one section; this one has several in space"};
+  if (options.through == "block") return cut_whole_block(session, options);
   return cut_surfaces(session, options);
 }
 
@@ -145,6 +147,11 @@ dobra::cli::Command cut_command() {
             add_space(app, *options);
             options->cut.add(app, scenario::fields_of<space::CutParams>());
             options->block.add(app, scenario::fields_of<input::SectionInput>(), {"along_strike"});
+            app.add_option("--through", options->through,
+                           "Of [[input.section]]: surfaces (smooth, through equally named lines) or block (its units, "
+                           "straight from section to section)")
+                ->check(CLI::IsMember({"surfaces", "block"}))
+                ->capture_default_str();
             add_out(app, options->out, "lines of the new section");
             return [options](Session& session) { return with_refusal(session, cut_job(session, *options)); };
           }};

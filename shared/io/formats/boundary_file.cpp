@@ -38,7 +38,7 @@ constexpr std::size_t in_a_byte = 255;  // The count of corners is one in a PLY 
 
 constexpr std::array rows{
     Row{"obj", false, any, meshes::parse_obj, text_as<meshes::PolygonFormat::Obj>},
-    Row{"ply", false, in_a_byte, meshes::parse_ply, text_as<meshes::PolygonFormat::Ply>},
+    Row{"ply", true, in_a_byte, meshes::parse_ply, text_as<meshes::PolygonFormat::Ply>},
     Row{"off", false, any, meshes::parse_off, text_as<meshes::PolygonFormat::Off>},
     Row{"stl", true, 3, meshes::parse_stl_facets,
         [](const mesh::PolygonMesh& mesh, std::span<const std::string>) { return meshes::stl_text(mesh); }},

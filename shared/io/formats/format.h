@@ -97,6 +97,7 @@ struct MeshRow {
   base::Result<MeshAndFields> (*fields)(std::string_view text, const std::string& file) = nullptr;
   /// The polygons in space as they stand, to be checked; nothing: the format holds elements.
   base::Result<mesh::PolygonMesh> (*polygons)(std::string_view text, const std::string& file) = nullptr;
+  bool binary = false;   ///< May be no text; then `parse` and `polygons` take bytes.
   bool space = false;    ///< Its nodes have a third coordinate, which is written.
   bool surface = false;  ///< Corners alone, as polygons: no sets, no regions, no nodes at mid-sides.
   /// What else is left out or renamed, one line each; nothing: all is kept.

@@ -312,7 +312,7 @@ MeshRow poly_row() {
 }
 
 template <auto parse, meshes::PolygonFormat format>
-MeshRow polygon_row(std::string_view note = {}) {
+MeshRow polygon_row(std::string_view note = {}, bool binary = false) {
   return {.parse = [](std::string_view text, const std::string& file) -> Result<MeshContents> {
             DOBRA_TRY(const mesh::PolygonMesh polygons, parse(text, file));
             DOBRA_TRY(ElementMesh mesh, meshes::elements_of(polygons, file));
@@ -323,6 +323,7 @@ MeshRow polygon_row(std::string_view note = {}) {
             return meshes::polygons_text(meshes::polygons_of(mesh, heights), format);
           },
           .polygons = parse,
+          .binary = binary,
           .space = true,
           .surface = true,
           .note = note};
@@ -510,7 +511,7 @@ const std::vector<Format>& all_formats() {
        "polygons, ASCII",
        "corners only",
        {},
-       polygon_row<meshes::parse_ply, PolygonFormat::Ply>()},
+       polygon_row<meshes::parse_ply, PolygonFormat::Ply>({}, true)},
       {"stl", "STL", {".stl"}, "triangles, ASCII", "the same", "corners only", {}, stl_row()},
       {"off",
        "OFF",

@@ -37,6 +37,10 @@ Result<const Format*> format_for(const std::string& path, Use use, std::string_v
                fmt::format("{}: {} are read from {}", path, what, fmt::join(endings_for(use), " "))};
 }
 
+Result<std::string> contents_of(const std::string& path, const MeshRow& row) {
+  return row.binary ? read_bytes(path) : read_text(path);
+}
+
 }  // namespace
 
 Result<Drawing> read_drawing(const std::string& path) {
@@ -52,8 +56,8 @@ Result<MeshAndFields> read_fields(const std::string& path) {
 
 Result<mesh::PolygonMesh> read_polygons(const std::string& path) {
   DOBRA_TRY(const Format* const format, format_for(path, Use::ReadPolygons, "polygon meshes"));
-  DOBRA_TRY(const std::string text, read_text(path));
-  return format->mesh->polygons(text, path);
+  DOBRA_TRY(const std::string contents, contents_of(path, *format->mesh));
+  return format->mesh->polygons(contents, path);
 }
 
 namespace {
@@ -71,8 +75,8 @@ Result<MeshContents> read_mesh(const std::string& path) {
   DOBRA_TRY(const Format* const format, format_for(path, Use::ReadMesh, "meshes"));
   const auto read = [&]() -> Result<MeshContents> {
     if (format->mesh->read != nullptr) return format->mesh->read(path);
-    DOBRA_TRY(const std::string text, read_text(path));
-    return format->mesh->parse(text, path);
+    DOBRA_TRY(const std::string contents, contents_of(path, *format->mesh));
+    return format->mesh->parse(contents, path);
   };
   DOBRA_TRY(MeshContents contents, read());
   tell_turned(path, contents);

@@ -72,13 +72,15 @@ class NearPoints {
 
 class Builder {
  public:
-  Builder(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease, Creases creases)
+  Builder(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease, Creases creases,
+          Tips tips)
       : atlas_(atlas),
         opened_(atlas.opened),
         sheet_(atlas.opened.sheet),
         sizes_(sizes),
         straightest_(std::cos(corner * std::numbers::pi / 180.0)),
         creases_(creases),
+        keep_tips_(tips == Tips::Stay),
         out_(sheet_.points.size(), no_half_edge),
         stays_(atlas.before.points.size(), false) {
     for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
@@ -86,6 +88,7 @@ class Builder {
     }
     find_creases(atlas.before, crease);
     find_stays();
+    find_tips(corner);
   }
 
   Network run() {
@@ -123,6 +126,7 @@ class Builder {
       ++made_.creases;
     }
     made_.creases += made_.cut_creases;
+    add_tips();
   }
 
   /// Sides that cross are halved. @return there are some
@@ -235,6 +239,92 @@ class Builder {
         other = h;
       else if (turns(sheet_.twins[other], h))
         stays_[origin(sheet_.start(h))] = true;
+    }
+  }
+
+  /// Vertices at which the sheet comes to a tip, the sharpest first.
+  void find_tips(double corner) {
+    constexpr double full = 2.0 * std::numbers::pi;
+    std::vector<double> sums(stays_.size(), 0.0);
+    std::vector<bool> on_border(stays_.size(), false);
+    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
+      const Vector3 a = along(h), b = sheet_.points[sheet_.start(param::previous(h))] - sheet_.points[sheet_.start(h)];
+      sums[origin(sheet_.start(h))] += std::atan2(geom::length(cross(a, b)), dot(a, b));
+      if (sheet_.twins[h] != no_half_edge || opened_.across[h] != no_half_edge) continue;
+      on_border[origin(sheet_.start(h))] = on_border[origin(sheet_.end(h))] = true;
+    }
+    std::vector<std::vector<std::uint32_t>> beside;
+    for (std::uint32_t v = 0; v < sums.size(); ++v) {
+      if (on_border[v] || std::abs(full - sums[v]) <= corner * std::numbers::pi / 180.0) continue;
+      if (beside.empty()) beside = neighbours(atlas_.before);
+      if (stands_off(v, beside)) tips_.push_back(v);
+    }
+    std::stable_sort(tips_.begin(), tips_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::abs(full - sums[a]) > std::abs(full - sums[b]);
+    });
+    tip_.assign(stays_.size(), false);
+    for (const std::uint32_t v : tips_) tip_[v] = true;
+    // A cut through one has a node there.
+    for (HalfEdge h = 0; h < sheet_.twins.size(); ++h) {
+      const std::uint32_t v = origin(sheet_.start(h));
+      if (sheet_.twins[h] == no_half_edge && tip_[v]) stays_[v] = true;
+    }
+  }
+  static std::vector<std::vector<std::uint32_t>> neighbours(const Sheet& sheet) {
+    std::vector<std::vector<std::uint32_t>> beside(sheet.points.size());
+    for (HalfEdge h = 0; h < sheet.twins.size(); ++h) beside[sheet.start(h)].push_back(sheet.end(h));
+    return beside;
+  }
+  /// From the vertices of the sheet that are first half a side off, or else its neighbours.
+  [[nodiscard]] bool stands_off(std::uint32_t tip, const std::vector<std::vector<std::uint32_t>>& beside) const {
+    constexpr double steep = 0.4, part = 0.5;
+    const std::vector<Point3>& points = atlas_.before.points;
+    std::vector<std::uint32_t> todo{tip};
+    std::set<std::uint32_t> seen{tip};
+    Vector3 sum{};
+    double distance = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < todo.size(); ++i) {
+      for (const std::uint32_t w : beside[todo[i]]) {
+        if (!seen.insert(w).second) continue;
+        const Vector3 off = points[w] - points[tip];
+        if (geom::length(off) < part * sizes_[tip]) {
+          todo.push_back(w);
+        } else {
+          sum = sum + off;
+          distance += geom::length(off);
+          count += 1.0;
+        }
+      }
+    }
+    return count > 0.0 && geom::length(sum) >= steep * distance;
+  }
+
+  /// Of tips near each other the sharper one, and none near a line.
+  void add_tips() {
+    constexpr double apart = 0.5;
+    NearPoints near(apart * *std::max_element(sizes_.begin(), sizes_.end()));
+    std::map<std::uint32_t, std::uint32_t> own;  // the vertex of the chart, of those off the cut
+    for (std::uint32_t v = 0; v < sheet_.points.size(); ++v) {
+      if (!tips_.empty() && tip_[origin(v)]) own[origin(v)] = v;
+    }
+    for (std::size_t p = 0; p < made_.parts.size() && !tips_.empty(); ++p) {
+      for (const auto& edge : made_.parts[p].chart.edges) {
+        const Point3 a = made_.parts[p].at[edge.nodes[0].index()], b = made_.parts[p].at[edge.nodes[1].index()];
+        for (const double t : {0.0, 0.25, 0.5, 0.75}) near.add(a + t * (b - a), static_cast<std::uint32_t>(p));
+      }
+    }
+    for (const std::uint32_t v : tips_) {
+      const std::uint32_t of_chart = own.at(v);
+      const Point3 at = sheet_.points[of_chart];
+      const bool on_line = point_.contains(of_chart);  // one ends there, or a cut
+      if (!keep_tips_ || (!on_line && near.within(at, apart * sizes_[v], atlas_.part[of_chart]))) {
+        ++made_.tips_out;
+        made_.tip_at = at;
+        continue;
+      }
+      near.add(at, atlas_.part[of_chart]);
+      ++made_.tips;
+      part_of(of_chart).chart.node_sets["tips"].emplace_back(point_of(of_chart));
     }
   }
 
@@ -439,12 +529,15 @@ class Builder {
   const std::vector<double>& sizes_;
   const double straightest_;
   const Creases creases_;
+  const bool keep_tips_;
   std::vector<HalfEdge> out_;                                 ///< The half-edge of the border that starts in a point.
   std::vector<bool> stays_;                                   ///< One a point before the cut.
   std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  ///< Ends of the chains so far.
   std::vector<std::uint32_t> folds_at_;                       ///< One a point: lines at which it folds that meet.
   std::vector<bool> folded_;                                  ///< One a half-edge: a crease.
   std::vector<bool> cut_folded_;                              ///< One a half-edge: a crease that was cut.
+  std::vector<std::uint32_t> tips_;                           ///< Before the cut; the sharpest first.
+  std::vector<bool> tip_;                                     ///< One a point before the cut.
   std::map<std::uint32_t, std::uint32_t> point_, node_of_vertex_;
   std::map<HalfEdge, CutNodes>
       cut_nodes_;  ///< By the last half-edge of a chain, which is across the first of its other side.
@@ -456,8 +549,8 @@ class Builder {
 }  // namespace
 
 Network divide_network(const Atlas& atlas, const std::vector<double>& sizes, double corner, double crease,
-                       Creases creases) {
-  return Builder(atlas, sizes, corner, crease, creases).run();
+                       Creases creases, Tips tips) {
+  return Builder(atlas, sizes, corner, crease, creases, tips).run();
 }
 
 }  // namespace dobra::surf::remesh

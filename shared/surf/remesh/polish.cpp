@@ -105,6 +105,9 @@ class Polisher {
     };
     keep(mesh_.boundary_sets);
     keep(mesh_.constraint_sets);
+    for (const auto& [name, nodes] : mesh_.node_sets) {
+      for (const NodeId node : nodes) stays_[node.index()] = true;
+    }
     std::map<Side, int> uses;
     for (const Corners& corners : mesh_.triangles) {
       for (std::size_t i = 0; i < 3; ++i) ++uses[side_of(corners[i], corners[(i + 1) % 3])];

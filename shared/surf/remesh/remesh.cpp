@@ -175,6 +175,14 @@ class Remesher {
                                            made.short_creases),
                                place_of(made.short_at)});
     }
+    if (made.tips_out > 0 && made.deviation > same * box_.diagonal()) {
+      made.findings.push_back(
+          {"tip_left_out",
+           fmt::format("points at which the mesh comes to a tip that are left out: {}; give a smaller "
+                       "size to keep them",
+                       made.tips_out),
+           place_of(made.tip_at)});
+    }
     made.folded = turned.size();
     if (!turned.empty()) {
       made.findings.push_back(
@@ -330,13 +338,17 @@ class Remesher {
 
   /// @param at  on an error the part that it is of
   Result<mesh::SurfaceMesh> fill(Remeshed& made, const base::Progress& progress, std::size_t& at) const {
-    Network network = divide_network(atlas_, sizes_, options_.corner, crease_, creases_);
+    Network network = divide_network(atlas_, sizes_, options_.corner, crease_, creases_,
+                                     crease_ == options_.crease ? Tips::Stay : Tips::LeaveOut);
     made.creases = network.creases;
     made.cut_creases = network.cut_creases;
     made.narrow_creases = network.narrow;
     made.narrow_at = network.narrow_at;
     made.short_creases = network.loose;
     made.short_at = network.loose_at;
+    made.tips = network.tips;
+    made.tips_out = network.tips_out;
+    made.tip_at = network.tip_at;
     mesh::Division division;
     division.nodes = network.nodes;
     std::vector<mesh::FaceMesh> faces;

@@ -44,10 +44,14 @@ struct Remeshed {
   geom::Point3 narrow_at;          ///< and where one of them begins.
   std::size_t short_creases = 0;   ///< Left out, since they are shorter than a side,
   geom::Point3 short_at;           ///< and where one of them begins.
+  std::size_t tips = 0;            ///< Points kept at which the mesh comes to a tip: the node set "tips".
+  std::size_t tips_out = 0;        ///< Tips left out beside a line or a sharper tip,
+  geom::Point3 tip_at;             ///< and where one of them is.
   std::size_t folded = 0;          ///< Triangles that face against the mesh given.
   double area_before = 0.0;        ///< Of the mesh given, m2.
   int rounds = 0;
-  /// Those of Charted, and "pieces", "piece_kept", "parted", "folded", "rough", "crease_left_out", "deviation_above",
+  /// Those of Charted, and "pieces", "piece_kept", "parted", "folded", "rough", "crease_left_out", "tip_left_out",
+  /// "deviation_above",
   /// "area_off". No text names a unit: files of meshes have none.
   std::vector<mesh::Finding> findings;
 };

@@ -164,6 +164,30 @@ TEST(SurfaceMarks, ABorderOfTwoSurfacesHasOneNumberInSpaceAndInBothCharts) {
   EXPECT_EQ(triangles.size(), std::get<scene::space::Surface>(layer(picture, "mesh")->content).triangles.size());
 }
 
+TEST(SurfaceMarks, ASeamIsNoBorderInSpaceAndACrackOnItIsACrack) {
+  const auto run = test::run(tube +
+                             "[[input.trim]]\nname = \"k\"\nkind = \"line\"\nrole = \"crack\"\n"
+                             "points = [[0, 2], [0, 5]]\n" +
+                             mesh_step);
+  const model::Model& model = test::last(run);
+  scene::space::SpacePicture picture;
+  draw_surfaces_in_space(model, picture);
+  double length = 0.0;
+  for (const auto& line : std::get<scene::space::Lines>(layer(picture, "boundary")->content).lines)
+    length += length_of(line);
+  EXPECT_NEAR(length, 2.0 * 4.0 * pi, 0.02);  // both rings
+  ASSERT_NE(layer(picture, "cracks"), nullptr);
+  for (const auto& line : std::get<scene::space::Lines>(layer(picture, "cracks")->content).lines)
+    EXPECT_NEAR(length_of(line), 3.0, 1e-9);
+  // The chart has its sides.
+  const scene::Panel chart = chart_of(model, 0);
+  std::size_t sides = 0;
+  for (const scene::Layer& each : chart.layers) {
+    if (each.key == "boundary") sides = std::get<scene::Lines>(each.content).lines.size();
+  }
+  EXPECT_EQ(sides, 6u);  // bottom, top, and both sides of the seam below and above the crack
+}
+
 TEST(SurfaceMarks, BeforeThereIsAMeshTheSurfacesThemselvesAreShown) {
   const auto run = test::run(plate);
   scene::space::SpacePicture picture;

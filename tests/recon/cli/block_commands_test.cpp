@@ -63,6 +63,25 @@ TEST_F(BlockCommands, SeveralSectionsAreLofted) {
   EXPECT_NEAR(told({"block", several})["along_strike"].get<double>(), 9.0, 1e-12);
 }
 
+TEST_F(BlockCommands, ABlockOfSeveralSectionsIsCutToUnits) {
+  lines();
+  const std::string several =
+      put("several.toml",
+          "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"section.csv\"\ntrace = [0, 0, "
+          "100, 0]\n[[input.section]]\nname = \"far\"\nfile = \"section.csv\"\ntrace = [0, 9, 100, 9]\n");
+  const Json made = told({"cut", several, "--through", "block", "--trace", "0,3,100,6", "--out", path("cut.toml")});
+  const double length = std::hypot(100.0, 3.0);
+  EXPECT_NEAR(made["area"].get<double>(), length * 20.0, 1e-8);
+  EXPECT_EQ(made["units"].size(), 2U);
+  EXPECT_EQ(made["horizons"], (std::vector<std::string>{"top", "middle", "base"}));
+  const Json again = told({"block", path("cut.toml"), "--along-strike", "7"});
+  EXPECT_NEAR(again["volume"].get<double>(), 7.0 * length * 20.0, 1e-7);
+  const Outcome wrong = call({"cut", several, "--through", "air", "--trace", "0,3,100,6"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(call({"cut", several, "--through", "block", "--trace", "0,3,100,6", "--simplify", "1"}).err,
+              HasSubstr("this one is cut as a block"));
+}
+
 TEST_F(BlockCommands, RefusalsSayWhatIsMissing) {
   EXPECT_EQ(told({"block", lines()}, 3)["findings"][0]["code"], "missing_key");
   EXPECT_EQ(call({"block", lines(), "--along-strike", "-3"}).code, 2);

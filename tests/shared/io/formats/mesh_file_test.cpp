@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "shared/io/file.h"
+#include "shared/io/formats/boundary_file.h"
 #include "tests/shared/io/io_examples.h"
 
 namespace dobra::io::formats {
@@ -29,6 +30,33 @@ ElementMesh plain() {
   mesh.node_sets.clear();
   mesh.tips.clear();
   return mesh;
+}
+
+/// As every command reads it.
+TEST(MeshFile, ABinaryPlyIsReadAsElementsPolygonsAndABoundary) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("m.ply");
+  std::string bytes =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto zeros = [](std::size_t count) { return std::string(count, '\0'); };
+  const std::string one = std::string("\x3f\x80", 2) + zeros(2);
+  bytes += zeros(12) + one + zeros(8) + zeros(4) + one + zeros(4);
+  bytes += "\x03" + zeros(4) + zeros(3) + "\x01" + zeros(3) + "\x02";
+  ASSERT_TRUE(write_text(file, bytes).ok());
+  const auto polygons = read_polygons(file);
+  ASSERT_TRUE(polygons.ok()) << to_string(polygons.error());
+  const auto boundary = read_boundary(file);
+  ASSERT_TRUE(boundary.ok()) << to_string(boundary.error());
+  const auto elements = read_mesh(file);
+  ASSERT_TRUE(elements.ok()) << to_string(elements.error());
+  EXPECT_EQ(polygons->points, (std::vector<geom::Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(boundary->points, polygons->points);
+  EXPECT_EQ(elements->mesh.element_count(), 1U);
+  for (const std::string empty : {"", " \n"}) {
+    ASSERT_TRUE(write_text(file, empty).ok());
+    EXPECT_EQ(read_polygons(file).error().code, base::ErrorCode::EmptyFile);
+  }
 }
 
 TEST(MeshFile, AnInvertedElementIsNamedWithItsNumberAndPlaceInEveryFormatThatTurnsIt) {
