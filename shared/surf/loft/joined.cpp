@@ -18,8 +18,8 @@ using geom::Vector3;
 
 namespace {
 
-constexpr double one_node = 1e-6;     // of the size
-constexpr double no_height = 1e-8;    // of the size
+constexpr double one_node = 1e-6;   // of the size
+constexpr double no_height = 1e-8;  // of the size
 constexpr std::uint32_t no_node = 0xffffffffU;
 
 using MeshTriangle = std::array<std::uint32_t, 3>;
@@ -213,7 +213,8 @@ class Joining {
     }
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> nodes_on(const MeshSide& side, const std::vector<std::uint32_t>& by_x) const {
+  [[nodiscard]] std::vector<std::uint32_t> nodes_on(const MeshSide& side,
+                                                    const std::vector<std::uint32_t>& by_x) const {
     const Point3 a = points_[side[0]], b = points_[side[1]];
     const Vector3 along = b - a;
     const double square = geom::dot(along, along);
@@ -278,8 +279,8 @@ class Joining {
     constexpr auto no_triangle = static_cast<std::size_t>(-1);
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto [at, fresh] = beside.try_emplace(side_of(triangles_[i][k], triangles_[i][(k + 1) % 3]),
-                                                    std::array{i, no_triangle});
+        const auto [at, fresh] =
+            beside.try_emplace(side_of(triangles_[i][k], triangles_[i][(k + 1) % 3]), std::array{i, no_triangle});
         if (!fresh) at->second[1] = i;
       }
     }

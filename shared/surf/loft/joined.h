@@ -15,9 +15,9 @@ struct JoinedMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< In the order of the patches and their lattices.
 };
 
-/// The lattices of all patches. Neighbours on a lattice that are nearer than 1e-6 of `size` are one node; where lines of
-/// sections run they stay where they are. A node that one of two patches has on their common line parts the triangles of
-/// the other, which keep their place. Pieces that faults part keep borders of their own.
+/// The lattices of all patches. Neighbours on a lattice that are nearer than 1e-6 of `size` are one node; where lines
+/// of sections run they stay where they are. A node that one of two patches has on their common line parts the
+/// triangles of the other, which keep their place. Pieces that faults part keep borders of their own.
 /// @param size  of all that the surfaces came from, m
 /// @cost  O(n log n + nodes of borders with one x)
 JoinedMesh joined(const NamedSurface& surface, double size);

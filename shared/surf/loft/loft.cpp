@@ -167,7 +167,8 @@ std::vector<std::vector<Point3>> gone_on(const CommonBreaks& common) {
         const bool both = std::max(first, low) < std::min(last, high);
         const auto dip = [&](std::size_t line, std::size_t from, std::size_t to) {
           if (both) from = std::max(first, low), to = std::min(last, high);
-          return (common.points[line][to].z - common.points[line][from].z) / (own_part(line, to) - own_part(line, from));
+          return (common.points[line][to].z - common.points[line][from].z) /
+                 (own_part(line, to) - own_part(line, from));
         };
         rise += weight * (common.points[k][i].z - common.points[k][beside].z + dip(j, first, last) * beyond -
                           dip(k, low, high) * (own_part(k, i) - own_part(k, beside)));

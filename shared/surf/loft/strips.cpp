@@ -102,8 +102,7 @@ struct BorderPair {
 std::optional<BorderPair> pair_of(FaultBorder& a, FaultBorder& b) {
   const Shared shared = shared_sections(*a.patch, *b.patch);
   if (shared.in_first.size() < 2) return std::nullopt;
-  BorderPair pair{
-      &a, &b, shared, border_line(a, shared.in_first), border_line(b, shared.in_second), 0.0};
+  BorderPair pair{&a, &b, shared, border_line(a, shared.in_first), border_line(b, shared.in_second), 0.0};
   for (std::size_t i = 0; i < pair.from.t.size(); ++i)
     pair.apart +=
         geom::distance(pair.from.points[i], pair.to.at(pair.from.t[i])) / static_cast<double>(pair.from.t.size());

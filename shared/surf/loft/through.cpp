@@ -389,8 +389,7 @@ class Through {
     const auto reach = [&](const Strand& strand) {
       std::array<double, 2> low_high{INFINITY, -INFINITY};
       for (const Point3 p : strand.points) {
-        const double at =
-            kind == LineKind::Fault ? p.z : geom::dot(Vector{p.x - origin.x, p.y - origin.y}, way);
+        const double at = kind == LineKind::Fault ? p.z : geom::dot(Vector{p.x - origin.x, p.y - origin.y}, way);
         low_high = {std::min(low_high[0], at), std::max(low_high[1], at)};
       }
       return low_high;
@@ -601,9 +600,9 @@ class Through {
 
   Surfaces made_;
   const ThroughOptions& options_;
-  std::vector<std::string> names_;            // in the order in which sections name them
-  std::vector<std::vector<double>> lines_v_;  // of the patches of a row
-  std::vector<Unjoined> unjoined_;            // of a row
+  std::vector<std::string> names_;                      // in the order in which sections name them
+  std::vector<std::vector<double>> lines_v_;            // of the patches of a row
+  std::vector<Unjoined> unjoined_;                      // of a row
   std::set<std::pair<PieceName, std::size_t>> passed_;  // pieces that a row lacks at a place and goes on without
 };
 

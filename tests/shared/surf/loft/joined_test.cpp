@@ -177,8 +177,7 @@ TEST(LoftJoined, SlantedSectionsInCentimetresGiveNoTwins) {
         const double slant = std::hypot(1000.0, rise);
         std::vector<double> places;
         for (int i = 0; i <= 25; ++i) places.push_back(slant * i / 25.0);
-        sections.push_back(
-            section_at("S" + std::to_string(k), {{0.0, y}, {1000.0, y + rise}}, fold, places, decimals));
+        sections.push_back(section_at("S" + std::to_string(k), {{0.0, y}, {1000.0, y + rise}}, fold, places, decimals));
       }
       expect_disks(through(sections), "top", 1, std::to_string(decimals) + " decimals");
     }
