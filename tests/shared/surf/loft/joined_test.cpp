@@ -319,6 +319,111 @@ TEST(LoftJoined, ThreeSectionsOfAFanOfTrianglesAreOneSheet) {
   }
 }
 
+/// Places on the earth in metres, and sections that are written to centimetres.
+TEST(LoftJoined, RandomGridsFarFromTheOriginAreOneSheet) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  const double east = 512'345.25, north = 7'654'321.5;
+  for (int k = 0; k < 40; ++k) {
+    // Lines from west to east and from south to north over all of them, each slanted a little.
+    std::vector<loft::Section> sections;
+    const int across = 2 + k % 3, up = 2 + k % 2;
+    const Height height = [&](double x, double y) { return fold(x - east, y - north); };
+    const auto run = [&](Point from, Point to, const std::string& name) {
+      std::vector<double> places{0.0};
+      const double length = geom::distance(from, to);
+      const int n = 8 + static_cast<int>(20.0 * any(random));
+      for (int i = 1; i <= n; ++i) places.push_back(length * (i + (i < n ? 0.4 * any(random) : 0.0)) / n);
+      sections.push_back(section_at(name, {from, to}, height, places, 2));
+    };
+    const auto slant = [&] { return 120.0 * (any(random) - 0.5); };
+    for (int i = 0; i < across; ++i) {
+      const double y = north + 1000.0 * i / (across - 1);
+      run({east - 100.0, y + slant()}, {east + 1100.0, y + slant()}, "E" + std::to_string(i));
+    }
+    for (int i = 0; i < up; ++i) {
+      const double x = east + 1000.0 * i / (up - 1);
+      run({x + slant(), north - 100.0}, {x + slant(), north + 1100.0}, "N" + std::to_string(i));
+    }
+    const auto made = through(sections);
+    ASSERT_EQ(made.surfaces.size(), 1U);
+    EXPECT_EQ(made.surfaces[0].patches.size(), static_cast<std::size_t>((across - 1) * (up - 1)));
+    expect_disks(made, "top", 1, "grid " + std::to_string(k));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(LoftJoined, RandomRowsInCentimetresAreDisks) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int k = 0; k < 60; ++k) {
+    std::vector<loft::Section> sections;
+    const int n = 15 + k % 7;
+    for (int j = 0; j < 3 + k % 3; ++j) {
+      const double y = 250.0 * j, low = 100.0 * any(random), high = 1000.0 - 100.0 * any(random);
+      const Point from{low, y + 60.0 * any(random)}, to{high, y + 60.0 * any(random)};
+      // Vertices at the same places of all, as of lines that were drawn on one grid.
+      std::vector<double> places{0.0};
+      const double length = geom::distance(from, to);
+      for (int i = 0; i <= n; ++i) {
+        const double s = (1000.0 * i / n - low) * length / (high - low);
+        if (s > 1.0 && s < length - 1.0) places.push_back(s);
+      }
+      places.push_back(length);
+      sections.push_back(section_at("S" + std::to_string(j), {from, to}, fold, places, 1 + k % 3));
+    }
+    expect_disks(through(sections), "top", 1, "row " + std::to_string(k));
+    if (HasFailure()) return;
+  }
+}
+
+/// A fold that lies over: joined by lengths.
+TEST(LoftJoined, OverturnedFoldsAndSteepStepsAreDisks) {
+  for (const int decimals : {6, 2}) {
+    std::vector<loft::Section> sections;
+    for (int k = 0; k < 4; ++k) {
+      const double y = 300.0 * k;
+      sections.push_back(section("S" + std::to_string(k), {{0.0, y}, {1000.0, y + 10.0 * k}}));
+      geom::Polyline line;
+      for (int i = 0; i <= 60; ++i) {
+        const double t = i / 60.0;
+        line.points.push_back({rounded(1000.0 * t + (150.0 + 5.0 * k) * std::sin(6.0 * t * 3.0), decimals),
+                               rounded(200.0 * std::cos(6.0 * t * 3.0), decimals)});
+      }
+      add(sections.back(), "top", std::move(line));
+      const double at = 400.0 + 20.0 * k;
+      add(sections.back(), "step",
+          {{{0.0, 500.0}, {at, 500.0}, {at + 1e-4, 480.0}, {at + 2e-4, 470.0}, {1000.0, 470.0}}, false});
+    }
+    const auto made = through(sections);
+    expect_disks(made, "top", 1, "overturned");
+    expect_disks(made, "step", 1, "step");
+  }
+}
+
+/// Two sections in one line bound a cell together with two others: its corner between them is no corner.
+TEST(LoftJoined, ACellWithAStraightCornerHasNoTriangleWithoutAHeight) {
+  const auto places = [](double length, int n) {
+    std::vector<double> made;
+    for (int i = 0; i <= n; ++i) made.push_back(length * i / n);
+    return made;
+  };
+  for (const bool turned : {false, true}) {
+    std::vector<loft::Section> sections;
+    const auto put = [&](const char* name, Point from, Point to, int n) {
+      sections.push_back(section_at(name, {from, to}, plane, places(geom::distance(from, to), n)));
+    };
+    put("A", {0.0, 0.0}, {500.0, 0.0}, turned ? 12 : 9);
+    put("B", {500.0, 0.0}, {1000.0, 0.0}, turned ? 7 : 11);
+    put("C", {1000.0, 0.0}, {600.0, 800.0}, 10);
+    put("D", {600.0, 800.0}, {0.0, 0.0}, 8);
+    const auto made = through(sections);
+    ASSERT_EQ(made.surfaces.size(), 1U);
+    expect_disks(made, "top", 1, "straight corner");
+    EXPECT_NEAR(counts_of(made).area, 400'000.0 * plane_area, 1e-6 * 400'000.0);
+  }
+}
+
 /// A bed in pieces between two faults on three sections.
 std::vector<loft::Section> faulted(int count, int decimals = -1) {
   std::vector<loft::Section> sections;
