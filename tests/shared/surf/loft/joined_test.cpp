@@ -7,6 +7,7 @@
 #include <set>
 
 #include "shared/surf/loft/joined.h"
+#include "shared/surf/loft/measures.h"
 #include "tests/shared/surf/loft/placed.h"
 
 namespace dobra::test {
@@ -319,6 +320,28 @@ TEST(LoftJoined, ThreeSectionsOfAFanOfTrianglesAreOneSheet) {
   }
 }
 
+TEST(LoftJoined, TrianglesRoundACrossingAreOneSheet) {
+  for (const int decimals : {-1, 2, 3}) {
+    for (const Height& height : {plane, fold}) {
+      // A square with both of its diagonals.
+      std::vector<loft::Section> sections = grid({0.0, 1000.0}, {0.0, 1000.0}, height, decimals);
+      const double slant = std::hypot(1000.0, 1000.0);
+      for (const bool down : {false, true}) {
+        std::vector<double> places;
+        const int n = down ? 22 : 16;
+        for (int i = 0; i <= n; ++i) places.push_back(slant * i / n);
+        const Point from{0.0, down ? 1000.0 : 0.0}, to{1000.0, down ? 0.0 : 1000.0};
+        sections.push_back(section_at(down ? "D" : "U", {from, to}, height, places, decimals));
+      }
+      const auto made = through(sections);
+      ASSERT_EQ(made.surfaces.size(), 1U);
+      EXPECT_EQ(made.surfaces[0].patches.size(), 4U);
+      expect_disks(made, "top", 1, std::to_string(decimals) + " decimals");
+      EXPECT_NEAR(counts_of(made).map, 1e6, decimals < 0 ? 1e-3 : 20.0);
+    }
+  }
+}
+
 /// Places on the earth in metres, and sections that are written to centimetres.
 TEST(LoftJoined, RandomGridsFarFromTheOriginAreOneSheet) {
   std::mt19937 random(5);
@@ -479,6 +502,36 @@ TEST(LoftPieces, APieceThatOneSectionLacksIsPassedOver) {
   ASSERT_EQ(top->patches.size(), 1U);
   EXPECT_EQ(top->patches[0].sections, (std::vector<std::size_t>{0, 2, 3}));
   EXPECT_EQ(whole.surfaces.size(), 3U);
+}
+
+/// A bed 200 m thick, 450 m of it repeated by a thrust: what is alike along strike is right with a piece less too.
+TEST(LoftPieces, TheVolumeBesideAPieceThatIsPassedOverIsThatOfTheBlocks) {
+  for (const std::size_t lacking : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}}) {
+    std::vector<loft::Section> sections;
+    for (const double y : {0.0, 300.0, 500.0, 800.0}) {
+      sections.push_back(section("S" + std::to_string(sections.size()), {{0.0, y}, {2000.0, y}}));
+      std::vector<std::pair<std::string, geom::Polyline>> lines{{"A", {{{0.0, 0.0}, {1350.0, 0.0}}, false}},
+                                                                {"A", {{{900.0, 300.0}, {2000.0, 300.0}}, false}},
+                                                                {"B", {{{0.0, -200.0}, {1650.0, -200.0}}, false}},
+                                                                {"B", {{{1200.0, 100.0}, {2000.0, 100.0}}, false}}};
+      if (y == 300.0 && lacking < lines.size()) lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(lacking));
+      add(sections.back(), "F", {{{0.0, 900.0}, {1800.0, -300.0}}, false}, loft::LineKind::Fault);
+      for (auto& [name, line] : lines) add(sections.back(), name, std::move(line));
+    }
+    const auto made = through(sections);
+    ASSERT_EQ(made.surfaces.size(), 3U) << lacking;
+    const auto of = [&](const char* name) {
+      return *std::find_if(made.surfaces.begin(), made.surfaces.end(),
+                           [&](const loft::NamedSurface& surface) { return surface.name == name; });
+    };
+    EXPECT_EQ(of("A").patches.size(), 2U) << lacking;
+    EXPECT_TRUE(of("A").unjoined.empty() && of("B").unjoined.empty()) << lacking;
+    const auto volume = loft::volume_between(of("A"), of("B"), made.surfaces);
+    ASSERT_TRUE(volume.ok()) << lacking;
+    EXPECT_NEAR(volume->value, 200.0 * 2450.0 * 800.0, 1e-9 * 200.0 * 2450.0 * 800.0) << lacking;
+    EXPECT_EQ(volume->unsure, 0.0) << lacking;
+    EXPECT_TRUE(volume->findings.empty()) << lacking;
+  }
 }
 
 TEST(LoftPieces, AnotherPieceInItsPlaceEndsIt) {
