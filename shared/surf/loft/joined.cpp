@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -24,6 +25,12 @@ constexpr std::uint32_t no_node = 0xffffffffU;
 
 using MeshTriangle = std::array<std::uint32_t, 3>;
 using MeshSide = std::array<std::uint32_t, 2>;
+
+/// A side of one triangle, as that runs round it.
+struct BorderSide {
+  MeshSide side{};
+  std::size_t triangle = 0;
+};
 
 std::uint64_t directed(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32U) | b; }
 std::uint64_t side_of(std::uint32_t a, std::uint32_t b) { return directed(std::min(a, b), std::max(a, b)); }
@@ -85,12 +92,15 @@ class Joining {
   explicit Joining(double size) : near_(one_node * size), thin_(no_height * size) {}
 
   JoinedMesh run(const NamedSurface& surface) {
-    bool crossing = false;
+    const bool crossing =
+        surface.patches.size() > 1 && std::any_of(surface.patches.begin(), surface.patches.end(),
+                                                  [](const Patch& patch) { return patch.sections_v.empty(); });
     for (const Patch& patch : surface.patches) {
+      const std::size_t first = triangles_.size();
       add(patch);
-      crossing = crossing || patch.sections_v.empty();
+      if (crossing) add_border(first);
     }
-    if (crossing && surface.patches.size() > 1) {
+    if (crossing) {
       join();
       part_sides();
     }
@@ -111,9 +121,10 @@ class Joining {
       if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0]) continue;
       own.push_back({at[0] + first, at[1] + first, at[2] + first});
     }
-    // What was folded flat on itself has no place.
+    // What was folded flat on itself, as points came together, has no place.
+    const bool folds = own.size() < patch.triangles.size();
     std::vector<bool> gone(own.size(), false);
-    for (std::size_t k = 0; k < own.size(); ++k) {
+    for (std::size_t k = 0; folds && k < own.size(); ++k) {
       MeshTriangle sorted = own[k];
       std::sort(sorted.begin(), sorted.end());
       auto& others = alike[directed(sorted[0], sorted[1])];
@@ -131,24 +142,33 @@ class Joining {
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (gone[k]) continue;
       triangles_.push_back(own[k]);
-      patch_of_.push_back(patches_);
     }
-    ++patches_;
   }
 
-  /// Sides of one triangle, as it runs round them.
-  [[nodiscard]] std::vector<std::pair<MeshSide, std::size_t>> border() const {
-    std::unordered_map<std::uint64_t, int> count;
-    count.reserve(2 * triangles_.size());
-    for (const MeshTriangle& t : triangles_) {
-      for (std::size_t k = 0; k < 3; ++k) ++count[side_of(t[k], t[(k + 1) % 3])];
-    }
-    std::vector<std::pair<MeshSide, std::size_t>> sides;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+  /// Sides of one triangle of a patch.
+  /// @param first  its first triangle
+  void add_border(std::size_t first) {
+    std::vector<std::pair<std::uint64_t, BorderSide>> all;
+    for (std::size_t i = first; i < triangles_.size(); ++i) {
       const MeshTriangle& t = triangles_[i];
       for (std::size_t k = 0; k < 3; ++k) {
-        if (count[side_of(t[k], t[(k + 1) % 3])] == 1) sides.push_back({{t[k], t[(k + 1) % 3]}, i});
+        const MeshSide side{t[k], t[(k + 1) % 3]};
+        all.push_back({side_of(side[0], side[1]), {side, i}});
       }
+    }
+    borders_.push_back(once(std::move(all)));
+  }
+
+  /// Those whose key no other has.
+  static std::vector<BorderSide> once(std::vector<std::pair<std::uint64_t, BorderSide>> all) {
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.first, a.second.triangle) < std::tie(b.first, b.second.triangle);
+    });
+    std::vector<BorderSide> sides;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool before = i > 0 && all[i - 1].first == all[i].first;
+      const bool behind = i + 1 < all.size() && all[i + 1].first == all[i].first;
+      if (!before && !behind) sides.push_back(all[i].second);
     }
     return sides;
   }
@@ -163,12 +183,10 @@ class Joining {
     const auto before = [&](const Taken& a, double x) { return points_[a.node].x < x; };
     std::vector<std::uint32_t> same(points_.size());
     for (std::uint32_t i = 0; i < same.size(); ++i) same[i] = i;
-    const auto sides = border();
-    for (std::size_t patch = 0; patch < patches_; ++patch) {
+    const auto by_x = [&](const Taken& a, const Taken& b) { return points_[a.node].x < points_[b.node].x; };
+    for (std::size_t patch = 0; patch < borders_.size(); ++patch) {
       std::vector<std::uint32_t> nodes;
-      for (const auto& [side, triangle] : sides) {
-        if (patch_of_[triangle] == patch) nodes.push_back(side[0]);
-      }
+      for (const BorderSide& of : borders_[patch]) nodes.push_back(of.side[0]);
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       std::vector<Taken> fresh;
@@ -187,9 +205,13 @@ class Joining {
           nearest->last_patch = patch;
         }
       }
+      std::sort(fresh.begin(), fresh.end(), by_x);
+      const auto known = static_cast<std::ptrdiff_t>(taken.size());
       taken.insert(taken.end(), fresh.begin(), fresh.end());
-      std::sort(taken.begin(), taken.end(),
-                [&](const Taken& a, const Taken& b) { return points_[a.node].x < points_[b.node].x; });
+      std::inplace_merge(taken.begin(), taken.begin() + known, taken.end(), by_x);
+    }
+    for (auto& border : borders_) {
+      for (BorderSide& of : border) of.side = {same[of.side[0]], same[of.side[1]]};
     }
     for (MeshTriangle& t : triangles_) {
       for (std::uint32_t& corner : t) corner = same[corner];
@@ -197,7 +219,11 @@ class Joining {
   }
 
   void part_sides() {
-    const auto sides = border();
+    std::vector<std::pair<std::uint64_t, BorderSide>> all;
+    for (const auto& border : borders_) {
+      for (const BorderSide& of : border) all.push_back({side_of(of.side[0], of.side[1]), of});
+    }
+    const std::vector<BorderSide> sides = once(std::move(all));
     std::vector<std::uint32_t> nodes;
     for (const auto& [side, triangle] : sides) nodes.insert(nodes.end(), side.begin(), side.end());
     std::sort(nodes.begin(), nodes.end());
@@ -249,7 +275,6 @@ class Joining {
         triangles_[whole] = piece;
       } else {
         triangles_.push_back(piece);
-        patch_of_.push_back(patch_of_[whole]);
       }
       if (to == side[1]) owner[directed(to, tip)] = i == 0 ? whole : triangles_.size() - 1;
       from = to;
@@ -347,8 +372,7 @@ class Joining {
   double near_, thin_;
   std::vector<Point3> points_;
   std::vector<MeshTriangle> triangles_;
-  std::vector<std::size_t> patch_of_;  // one a triangle, till they are turned
-  std::size_t patches_ = 0;
+  std::vector<std::vector<BorderSide>> borders_;  // of patches, where sections cross
 };
 
 }  // namespace
