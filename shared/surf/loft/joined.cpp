@@ -122,7 +122,8 @@ class Joining {
       own.push_back({at[0] + first, at[1] + first, at[2] + first});
     }
     // What was folded flat on itself, as points came together, has no place.
-    const bool folds = own.size() < patch.triangles.size();
+    bool folds = false;
+    for (std::size_t i = 0; i < node.size(); ++i) folds = folds || node[i] != i;
     std::vector<bool> gone(own.size(), false);
     for (std::size_t k = 0; folds && k < own.size(); ++k) {
       MeshTriangle sorted = own[k];
