@@ -17,6 +17,7 @@
 #include "shared/cli/staging.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/mesh_polygons.h"
 #include "shared/surf/mesh/surface_elements.h"
 #include "shared/surf/param/discrete_chart.h"
 #include "shared/surf/param/recovered.h"
@@ -51,18 +52,30 @@ Result<int> with_refusal(Session& session, Work&& work) {
   return done;
 }
 
-/// Boundaries as solids have them, and all other files of polygons in space.
+/// Whether its elements may lie in space.
+bool holds_shells(const io::formats::Format& format) {
+  return format.mesh.has_value() && format.mesh->parse_in_space != nullptr;
+}
+
+/// Boundaries as solids have them, all other files of polygons in space, and elements on a surface.
 Result<dobra::mesh::PolygonMesh> read_sheet(const std::string& path) {
-  return io::formats::format_of(path, io::formats::Use::ReadMesh) != nullptr &&
-                 io::formats::format_of(path, io::formats::Use::ReadPolygons) == nullptr
-             ? io::formats::read_boundary(path)
-             : io::formats::read_polygons(path);
+  const io::formats::Format* format = io::formats::format_of(path, io::formats::Use::ReadMesh);
+  if (format == nullptr || io::formats::format_of(path, io::formats::Use::ReadPolygons) != nullptr)
+    return io::formats::read_polygons(path);
+  if (!holds_shells(*format)) return io::formats::read_boundary(path);
+  DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh_in_space(path));
+  return io::meshes::polygons_of(contents.mesh, contents.heights);
 }
 
 std::vector<std::string> sheet_endings() {
   std::vector<std::string> endings = io::formats::boundary_endings();
-  for (std::string& ending : io::formats::endings_for(io::formats::Use::ReadPolygons)) {
-    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) endings.push_back(std::move(ending));
+  const auto add = [&](const std::string& ending) {
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) endings.push_back(ending);
+  };
+  for (const std::string& ending : io::formats::endings_for(io::formats::Use::ReadPolygons)) add(ending);
+  for (const io::formats::Format& format : io::formats::all_formats()) {
+    if (!io::formats::is_for(format, io::formats::Use::ReadMesh) || !holds_shells(format)) continue;
+    for (const std::string& ending : format.endings) add(ending);
   }
   return endings;
 }

@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+
 #include "shared/io/file.h"
 #include "shared/io/formats/format.h"
 #include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/tsurf.h"
 #include "shared/io/meshes/vtp.h"
+#include "shared/surf/loft/joined.h"
 
 namespace recon::space {
 
@@ -21,66 +27,88 @@ namespace {
 
 constexpr const char* polygons_of_vtk = ".vtp";
 
-/// One surface with its patches one after another.
-mesh::PolygonMesh mesh_of(const loft::NamedSurface& surface) {
-  mesh::PolygonMesh made;
-  for (const loft::Patch& patch : surface.patches) {
-    const auto first = static_cast<std::uint32_t>(made.points.size());
-    made.points.insert(made.points.end(), patch.points.begin(), patch.points.end());
-    for (const auto& t : patch.triangles) made.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+mesh::PolygonMesh polygons_of(const loft::JoinedMesh& joined) {
+  mesh::PolygonMesh made{joined.points, {}};
+  for (const auto& t : joined.triangles) made.faces.push_back({t[0], t[1], t[2]});
   return made;
+}
+
+/// Of the regions and groups of a file: those of a horizon and a fault of one name differ by the kind.
+std::vector<std::string> names_of(const std::vector<loft::NamedSurface>& surfaces) {
+  std::vector<std::string> names;
+  for (const loft::NamedSurface& surface : surfaces) {
+    const bool twice = std::count_if(surfaces.begin(), surfaces.end(),
+                                     [&](const loft::NamedSurface& other) { return other.name == surface.name; }) > 1;
+    names.push_back(twice ? fmt::format("{} ({})", surface.name, loft::kind_name(surface.kind)) : surface.name);
+  }
+  return names;
 }
 
 struct AllFaces {
   mesh::PolygonMesh mesh;
-  io::meshes::MeshFields fields;  ///< At faces: the number of the surface, dip and azimuth.
+  std::vector<std::size_t> surface;  ///< Of each face.
+  std::vector<std::string> names;    ///< Of each surface.
+  io::meshes::MeshFields fields;     ///< At faces: the number of the surface, dip and azimuth.
 };
 
 AllFaces all_faces(const MadeSurfaces& surfaces) {
   AllFaces all;
+  all.names = names_of(surfaces.made.surfaces);
   io::meshes::MeshField number{"surface", 1, {}}, dip{"dip", 1, {}}, azimuth{"azimuth", 1, {}};
-  double which = 0.0;
-  for (const loft::NamedSurface& surface : surfaces.made.surfaces) {
+  for (std::size_t which = 0; which < surfaces.made.surfaces.size(); ++which) {
+    const loft::JoinedMesh joined = loft::joined(surfaces.made.surfaces[which], surfaces.made.size);
     const auto first = static_cast<std::uint32_t>(all.mesh.points.size());
-    mesh::PolygonMesh one = mesh_of(surface);
-    all.mesh.points.insert(all.mesh.points.end(), one.points.begin(), one.points.end());
-    for (auto& face : one.faces) {
-      for (std::uint32_t& corner : face) corner += first;
-      all.mesh.faces.push_back(std::move(face));
-      number.values.push_back(which);
+    all.mesh.points.insert(all.mesh.points.end(), joined.points.begin(), joined.points.end());
+    for (const auto& t : joined.triangles) {
+      all.mesh.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
+      all.surface.push_back(which);
+      number.values.push_back(static_cast<double>(which));
     }
-    for (const loft::Patch& patch : surface.patches) {
-      for (const loft::Dip& at : loft::dips(patch)) {
-        dip.values.push_back(at.dip.degrees());
-        azimuth.values.push_back(at.azimuth.degrees());
-      }
+    for (const loft::Dip& at : loft::dips(joined.points, joined.triangles)) {
+      dip.values.push_back(at.dip.degrees());
+      azimuth.values.push_back(at.azimuth.degrees());
     }
-    which += 1.0;
   }
   all.fields.at_elements = {std::move(number), std::move(dip), std::move(azimuth)};
   return all;
 }
 
+/// A region for each surface, from 1 on.
 Result<void> write_elements(const std::string& path, const AllFaces& all) {
-  mesh::TriangleMesh plane;
+  mesh::ElementMesh elements;
   std::vector<double> heights;
   for (const geom::Point3 p : all.mesh.points) {
-    plane.points.push_back({p.x, p.y});
+    elements.points.push_back({p.x, p.y});
     heights.push_back(p.z);
   }
-  for (const auto& f : all.mesh.faces)
-    plane.triangles.push_back({mesh::NodeId(f[0]), mesh::NodeId(f[1]), mesh::NodeId(f[2])});
-  plane.regions.assign(plane.triangles.size(), 0);
-  const mesh::ElementMesh elements = mesh::element_mesh_of(plane);
+  elements.first = {0};
+  const auto tag = [](std::size_t surface) { return static_cast<std::int32_t>(surface + 1); };
+  for (std::size_t f = 0; f < all.mesh.faces.size(); ++f) {
+    const auto& face = all.mesh.faces[f];
+    const std::array nodes{mesh::NodeId(face[0]), mesh::NodeId(face[1]), mesh::NodeId(face[2])};
+    mesh::add_element(elements, mesh::ElementType::T3, nodes, tag(all.surface[f]));
+  }
+  for (std::size_t k = 0; k < all.names.size(); ++k) elements.region_names[tag(k)] = all.names[k];
   if (io::formats::format_of(path, Use::ReadFields) != nullptr)
     return io::meshes::write_vtu(path, elements, all.fields, io::meshes::VtuEncoding::Ascii, heights);
   return io::formats::write_mesh(path, elements, io::meshes::InpElement::Shell, heights);
 }
 
-bool holds_names(const std::string& path) {
+/// In groups by name; blanks part the names of groups.
+std::string obj_text(const AllFaces& all) {
+  std::vector<std::string> groups;
+  for (const std::size_t surface : all.surface) {
+    std::string name = all.names[surface];
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) != 0; }, '_');
+    groups.push_back(std::move(name));
+  }
+  return io::meshes::polygons_text(all.mesh, io::meshes::PolygonFormat::Obj, groups);
+}
+
+bool is_format(const std::string& path, std::string_view name) {
   const io::formats::Format* format = io::formats::format_of(path, Use::WriteSpaceMesh);
-  return format != nullptr && format->name == "tsurf";
+  return format != nullptr && format->name == name;
 }
 
 }  // namespace
@@ -99,13 +127,15 @@ Result<void> check_surface_ending(const std::string& path) {
 
 Result<void> write_surfaces(const std::string& path, const MadeSurfaces& surfaces) {
   DOBRA_TRY_VOID(check_surface_ending(path));
-  if (holds_names(path)) {
+  if (is_format(path, "tsurf")) {
     std::vector<io::meshes::TSurf> named;
     for (const loft::NamedSurface& surface : surfaces.made.surfaces)
-      named.push_back({surface.name, loft::kind_name(surface.kind), mesh_of(surface)});
+      named.push_back(
+          {surface.name, loft::kind_name(surface.kind), polygons_of(loft::joined(surface, surfaces.made.size))});
     return io::write_text(path, io::meshes::tsurfs_text(named));
   }
   const AllFaces all = all_faces(surfaces);
+  if (is_format(path, "obj")) return io::write_text(path, obj_text(all));
   if (io::ending_of(path) != polygons_of_vtk) return write_elements(path, all);
   DOBRA_TRY(const std::string text, io::meshes::vtp_text(all.mesh, all.fields));
   return io::write_text(path, text);

@@ -1,5 +1,6 @@
 #pragma once
-// Surfaces in files: GOCAD TSurf with names and kinds, VTK with dips and azimuths, and every format of meshes in space.
+// Surfaces in files, each a clean mesh (shared/surf/loft/joined.h): GOCAD TSurf with names and kinds, VTK with dips and
+// azimuths, and every format of meshes in space, with a region (OBJ: a group) for each surface.
 
 #include <string>
 

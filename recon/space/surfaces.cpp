@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "recon/input/import.h"
+#include "shared/surf/loft/joined.h"
 
 namespace recon::space {
 
@@ -17,7 +18,7 @@ namespace {
 
 SurfaceRow row_of(const loft::NamedSurface& surface, const loft::Surfaces& all) {
   SurfaceRow row{surface.name, surface.kind, loft::measures(surface), surface.patches.size(), 0, {}};
-  for (const loft::Patch& patch : surface.patches) row.triangles += patch.triangles.size();
+  row.triangles = loft::joined(surface, all.size).triangles.size();
   for (const loft::Mistie& mistie : all.misties) {
     if (mistie.line == surface.name) row.misties.push_back(mistie);
   }

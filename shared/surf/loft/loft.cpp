@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 namespace dobra::surf::loft {
 
@@ -20,6 +21,7 @@ using geom::Vector3;
 namespace {
 
 constexpr double same_break = 1e-10;  // of the length of a line
+constexpr double near_break = 2e-5;   // of different lines: centimetres of a section of a kilometre
 
 base::Place place_at(Point3 p) { return {.x = p.x, .y = p.y, .z = p.z}; }
 
@@ -42,22 +44,80 @@ base::Result<std::vector<double>> parts_of(const std::vector<Point3>& line, std:
   return parts;
 }
 
-/// The line at each break: its own vertices as they are.
-std::vector<Point3> at_breaks(const std::vector<Point3>& line, const std::vector<double>& parts,
-                              const std::vector<double>& breaks) {
-  std::vector<Point3> points;
-  std::size_t k = 0;
-  for (const double u : breaks) {
-    while (k + 2 < parts.size() && parts[k + 1] < u - same_break) ++k;
-    if (std::abs(parts[k] - u) <= same_break) {
-      points.push_back(line[k]);
-    } else if (std::abs(parts[k + 1] - u) <= same_break) {
-      points.push_back(line[k + 1]);
-    } else {
-      points.push_back(line[k] + (u - parts[k]) / (parts[k + 1] - parts[k]) * (line[k + 1] - line[k]));
+/// A vertex of a line.
+struct LineVertex {
+  double part = 0.0;
+  std::size_t line = 0, vertex = 0;
+  bool end = false;  ///< Of a line that others reach beyond.
+};
+
+/// Groups of vertices that are at one break, from 0 to 1: the first holds the first vertices of all lines, the last the
+/// last; between them each line has one in a group at the most. The border of the surface goes straight from ends that
+/// others reach beyond: no vertex is drawn to these.
+/// @param ends  of each line, where they are not 0 and 1
+std::vector<std::vector<LineVertex>> grouped(const LineParts& parts, const std::vector<std::array<double, 2>>& ends) {
+  std::vector<LineVertex> inner;
+  std::vector<std::vector<LineVertex>> groups(1);
+  std::vector<LineVertex> last;
+  for (std::size_t j = 0; j < parts.size(); ++j) {
+    const std::vector<double>& of_line = parts[j];
+    groups.front().push_back({0.0, j, 0});
+    double before = 0.0;
+    for (std::size_t k = 1; k + 1 < of_line.size(); ++k) {
+      if (of_line[k] - before <= same_break || 1.0 - of_line[k] <= same_break) continue;
+      inner.push_back({of_line[k], j, k, !ends.empty() && (of_line[k] == ends[j][0] || of_line[k] == ends[j][1])});
+      before = of_line[k];
+    }
+    last.push_back({1.0, j, of_line.size() - 1});
+  }
+  std::sort(inner.begin(), inner.end(), [](const LineVertex& a, const LineVertex& b) {
+    return std::tie(a.part, a.line) < std::tie(b.part, b.line);
+  });
+  std::vector<std::size_t> in_group(parts.size(), 0);  // the group of the line's last vertex so far
+  bool has_end = false;
+  for (const LineVertex& vertex : inner) {
+    const double near = vertex.end || has_end ? same_break : near_break;
+    const bool begins = groups.size() == 1 || vertex.part - groups.back().front().part > near ||
+                        in_group[vertex.line] + 1 == groups.size();
+    if (begins) groups.emplace_back();
+    groups.back().push_back(vertex);
+    has_end = vertex.end || (has_end && !begins);
+    in_group[vertex.line] = groups.size() - 1;
+  }
+  groups.push_back(std::move(last));
+  return groups;
+}
+
+/// The lines at all breaks: their own vertices as they are.
+void add_points(const std::vector<std::vector<Point3>>& lines, const LineParts& parts,
+                const std::vector<std::array<double, 2>>& ends, CommonBreaks& common) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  const std::vector<std::vector<LineVertex>> groups = grouped(parts, ends);
+  for (const auto& group : groups) common.u.push_back(group.front().part);
+  for (std::size_t j = 0; j < lines.size(); ++j) {
+    std::vector<std::size_t> own(groups.size(), none);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      for (const LineVertex& vertex : groups[i]) {
+        if (vertex.line == j) own[i] = vertex.vertex;
+      }
+    }
+    std::vector<Point3>& points = common.points.emplace_back();
+    std::vector<double>& places = common.parts.emplace_back();
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (own[i] != none) {
+        k = own[i];
+        points.push_back(lines[j][k]);
+        places.push_back(parts[j][k]);
+        continue;
+      }
+      const double u = common.u[i];
+      while (k + 2 < parts[j].size() && parts[j][k + 1] < u) ++k;
+      const double along = std::clamp((u - parts[j][k]) / (parts[j][k + 1] - parts[j][k]), 0.0, 1.0);
+      points.push_back(lines[j][k] + along * (lines[j][k + 1] - lines[j][k]));
+      places.push_back(u);
     }
   }
-  return points;
 }
 
 /// v of each line, by the mean of the chords; the trapezoidal rule over u.
@@ -93,7 +153,9 @@ std::vector<std::vector<Point3>> gone_on(const CommonBreaks& common) {
       const std::size_t end = own(i);
       if (end == i) continue;
       const std::size_t inside = i < first ? first + 1 : last - 1;
-      const double steps = (common.u[i] - common.u[end]) / (common.u[inside] - common.u[end]);
+      const auto own_part = [&](std::size_t line, std::size_t at) { return common.parts[line][at]; };
+      const double beyond = common.u[i] - own_part(j, end);
+      const double steps = beyond / (own_part(j, inside) - own_part(j, end));
       const Point3 at = common.points[j][end], before = common.points[j][inside];
       double rise = 0.0, weights = 0.0;
       const auto like = [&](std::size_t k) {
@@ -105,11 +167,11 @@ std::vector<std::vector<Point3>> gone_on(const CommonBreaks& common) {
         const bool both = std::max(first, low) < std::min(last, high);
         const auto dip = [&](std::size_t line, std::size_t from, std::size_t to) {
           if (both) from = std::max(first, low), to = std::min(last, high);
-          return (common.points[line][to].z - common.points[line][from].z) / (common.u[to] - common.u[from]);
+          return (common.points[line][to].z - common.points[line][from].z) /
+                 (own_part(line, to) - own_part(line, from));
         };
-        rise += weight * (common.points[k][i].z - common.points[k][beside].z +
-                          dip(j, first, last) * (common.u[i] - common.u[end]) -
-                          dip(k, low, high) * (common.u[i] - common.u[beside]));
+        rise += weight * (common.points[k][i].z - common.points[k][beside].z + dip(j, first, last) * beyond -
+                          dip(k, low, high) * (own_part(k, i) - own_part(k, beside)));
         weights += weight;
         return true;
       };
@@ -316,37 +378,36 @@ base::Result<CommonBreaks> common_breaks(const std::vector<std::vector<Point3>>&
   CommonBreaks common;
   std::vector<std::vector<Point3>> whole = lines;
   LineParts of_lines;
-  std::vector<double> all;
+  std::vector<std::array<double, 2>> ends;
   for (std::size_t j = 0; j < lines.size(); ++j) {
     DOBRA_TRY(std::vector<double> of_line, parts_of(lines[j], j));
     if (!parts.empty()) {
       of_line = parts[j];
-      if (of_line.front() > same_break) {
+      if (of_line.front() <= near_break && of_line[1] > of_line.front()) of_line.front() = 0.0;
+      if (of_line.back() >= 1.0 - near_break) of_line.back() = 1.0;
+      ends.push_back({of_line.front(), of_line.back()});
+      if (of_line.front() > 0.0) {
         of_line.insert(of_line.begin(), 0.0);
         whole[j].insert(whole[j].begin(), lines[j].front());
       }
-      if (of_line.back() < 1.0 - same_break) {
+      if (of_line.back() < 1.0) {
         of_line.push_back(1.0);
         whole[j].push_back(lines[j].back());
       }
     }
-    all.insert(all.end(), of_line.begin(), of_line.end());
     of_lines.push_back(std::move(of_line));
   }
-  std::sort(all.begin(), all.end());
-  for (const double u : all) {
-    if (common.u.empty() || u - common.u.back() > same_break) common.u.push_back(u);
-  }
-  common.u.front() = 0.0;
-  common.u.back() = 1.0;
+  add_points(whole, of_lines, ends, common);
   for (std::size_t j = 0; j < whole.size(); ++j) {
-    common.points.push_back(at_breaks(whole[j], of_lines[j], common.u));
-    const auto at = [&](double u) {
-      const auto after = std::lower_bound(common.u.begin(), common.u.end(), u - same_break);
-      return static_cast<std::size_t>(after - common.u.begin());
+    if (parts.empty()) {
+      common.reach.push_back({0, common.u.size() - 1});
+      continue;
+    }
+    const auto at = [&](double part) {
+      const auto found = std::find(common.parts[j].begin(), common.parts[j].end(), part);
+      return static_cast<std::size_t>(found - common.parts[j].begin());
     };
-    common.reach.push_back(parts.empty() ? std::array<std::size_t, 2>{0, common.u.size() - 1}
-                                         : std::array{at(parts[j].front()), at(parts[j].back())});
+    common.reach.push_back({at(ends[j][0]), at(ends[j][1])});
   }
   return common;
 }

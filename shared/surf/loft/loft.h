@@ -30,10 +30,14 @@ using LineParts = std::vector<std::vector<double>>;
 /// @cost  O(vertices times lines)
 base::Result<Loft> loft(const std::vector<std::vector<geom::Point3>>& lines, const LineParts& parts = {});
 
-/// The parts at which any of the lines has a vertex; those nearer than 1e-10 are one.
+/// The parts at which any of the lines has a vertex. Vertices of different lines that are nearer to each other than
+/// 2e-5, as rounding of files parts them, are at one break, each where it is; so are ends that are so near to 0 or 1.
+/// Ends that others reach beyond have breaks of their own. Of two vertices of one line that are nearer than 1e-10 one
+/// counts.
 struct CommonBreaks {
   std::vector<double> u;
   std::vector<std::vector<geom::Point3>> points;  ///< [line][break]
+  std::vector<std::vector<double>> parts;         ///< [line][break]: where that point is along its own line.
   std::vector<std::array<std::size_t, 2>> reach;  ///< The first and the last break that a line has of its own.
 };
 /// @error as loft

@@ -72,8 +72,7 @@ PlanIntegral plan_integral(const Patch& patch) {
   return sum;
 }
 
-Vector3 normal_of(const Patch& patch, const std::array<std::uint32_t, 3>& t) {
-  const auto& p = patch.points;
+Vector3 normal_of(const std::vector<Point3>& p, const std::array<std::uint32_t, 3>& t) {
   return geom::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
 }
 
@@ -138,7 +137,7 @@ std::vector<PlanTriangle> plan_triangles(const NamedSurface& surface, const std:
   for (const Patch& patch : surface.patches) {
     const double turned = [&] {
       double plan = 0.0;
-      for (const auto& t : patch.triangles) plan += normal_of(patch, t).z;
+      for (const auto& t : patch.triangles) plan += normal_of(patch.points, t).z;
       return plan < 0.0 ? -1.0 : 1.0;
     }();
     for (const auto& t : patch.triangles) {
@@ -286,11 +285,13 @@ bool over_itself(const NamedSurface& upper, const NamedSurface& lower, bool unfa
 
 }  // namespace
 
-std::vector<Dip> dips(const Patch& patch) {
+std::vector<Dip> dips(const std::vector<Point3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   std::vector<Dip> made;
-  for (const auto& t : patch.triangles) made.push_back(dip_of(normal_of(patch, t)));
+  for (const auto& t : triangles) made.push_back(dip_of(normal_of(points, t)));
   return made;
 }
+
+std::vector<Dip> dips(const Patch& patch) { return dips(patch.points, patch.triangles); }
 
 Measures measures(const NamedSurface& surface) {
   Measures sum;

@@ -1,6 +1,8 @@
 #pragma once
 // Areas, dips and volumes of surfaces in space. Page: docs/algorithms/loft.md.
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct Dip {
   base::Angle dip;
   base::Angle azimuth;  ///< 0 where it is level.
 };
+/// Of triangles.
+std::vector<Dip> dips(const std::vector<geom::Point3>& points,
+                      const std::vector<std::array<std::uint32_t, 3>>& triangles);
 /// Of the triangles of a patch.
 std::vector<Dip> dips(const Patch& patch);
 

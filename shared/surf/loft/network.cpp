@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shared/geom/predicates.h"
+#include "shared/surf/loft/loft.h"
 #include "shared/surf/triangular_patch.h"
 
 namespace dobra::surf::loft {
@@ -101,6 +103,7 @@ class Network {
       Edge edge{s, along[k - 1].second, along[k].second, in_space(section.trace, part), {}, {}};
       edge.curve.front() = nodes_[edge.from];
       edge.curve.back() = nodes_[edge.to];
+      edge.curve = without_twins(edge.curve, 1e-9 * size_);
       const double a = part.points.front().x, b = part.points.back().x;
       edge.next_to_from = after(section.trace, a, b);
       edge.next_to_to = after(section.trace, b, a);
@@ -184,13 +187,38 @@ class Network {
     return sides;
   }
 
-  [[nodiscard]] base::Result<Curve> side_curve(const std::vector<std::size_t>& side) const {
+  [[nodiscard]] std::vector<Point3> side_points(const std::vector<std::size_t>& side) const {
     std::vector<Point3> points;
     for (const std::size_t h : side) {
       const auto more = curve(h);
       points.insert(points.end(), more.begin() + (points.empty() ? 0 : 1), more.end());
     }
-    return Curve::polyline(points);
+    return points;
+  }
+
+  /// Two sides across from each other, with vertices at common places: what rounding parts is one place.
+  static base::Result<std::array<Curve, 2>> across(const std::vector<Point3>& a, const std::vector<Point3>& b) {
+    DOBRA_TRY(const CommonBreaks common, common_breaks({a, b}));
+    std::vector<double> knots{0.0};
+    knots.insert(knots.end(), common.u.begin(), common.u.end());
+    knots.push_back(1.0);
+    DOBRA_TRY(Curve first, Curve::nurbs(1, knots, common.points[0]));
+    DOBRA_TRY(Curve second, Curve::nurbs(1, knots, common.points[1]));
+    return std::array<Curve, 2>{std::move(first), std::move(second)};
+  }
+
+  /// Of four sides, the last two of which run back, as Coons's patch has them, or of three.
+  static base::Result<Surface> surface_of(const std::vector<std::vector<Point3>>& sides) {
+    if (sides.size() == 4) {
+      DOBRA_TRY(const auto along, across(sides[0], sides[2]));
+      DOBRA_TRY(const auto up, across(sides[3], sides[1]));
+      return Surface::coons(along[0], along[1], up[0], up[1]);
+    }
+    DOBRA_TRY(const Curve first, Curve::polyline(sides[0]));
+    DOBRA_TRY(const Curve second, Curve::polyline(sides[1]));
+    DOBRA_TRY(const Curve third, Curve::polyline(sides[2]));
+    DOBRA_TRY(const TriangularPatch patch, TriangularPatch::make(first, second, third));
+    return patch.surface();
   }
 
   base::Result<void> fill(const std::vector<std::size_t>& face, const ThroughOptions& options,
@@ -207,19 +235,12 @@ class Network {
                            place});
       return {};
     }
-    std::vector<Curve> curves;
+    std::vector<std::vector<Point3>> points;
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      // Of four the last two run back, as Coons's patch has them.
-      std::vector<std::size_t> side = sides[k];
-      if (sides.size() == 4 && k >= 2) {
-        std::reverse(side.begin(), side.end());
-        for (std::size_t& h : side) h ^= 1;
-      }
-      DOBRA_TRY(Curve curve, side_curve(side));
-      curves.push_back(std::move(curve));
+      points.push_back(side_points(sides[k]));
+      if (sides.size() == 4 && k >= 2) std::reverse(points.back().begin(), points.back().end());
     }
-    auto surface = sides.size() == 4 ? Surface::coons(curves[0], curves[2], curves[3], curves[1])
-                                     : triangular(curves[0], curves[1], curves[2]);
+    auto surface = surface_of(points);
     if (!surface) {
       findings_.push_back({"no_patch", fmt::format("'{}': {}", name_, surface.error().message), place});
       return {};
@@ -227,9 +248,9 @@ class Network {
     // The patch of three sides has no breaks of its own: its lattice goes through the vertices of all of them.
     LatticeLines lines;
     if (sides.size() == 3) {
-      lines.u = parts_of(curves[0]);
-      lines.v = parts_of(curves[1]);
-      for (const double part : parts_of(curves[2])) lines.v.push_back(1.0 - part);
+      lines.u = parts_of(points[0]);
+      lines.v = parts_of(points[1]);
+      for (const double part : parts_of(points[2])) lines.v.push_back(1.0 - part);
     }
     const auto rows = [&](std::size_t breaks) { return std::max<std::size_t>(1, 2 * options.rows / (breaks - 1)); };
     lines.rows_u = rows(surface->breaks().u.size() + lines.u.size());
@@ -239,14 +260,12 @@ class Network {
     made.push_back(std::move(patch));
     return {};
   }
-  static std::vector<double> parts_of(const Curve& curve) {
-    std::vector<double> parts;
-    for (const double at : curve.breaks()) parts.push_back((at - curve.low()) / (curve.high() - curve.low()));
+  static std::vector<double> parts_of(const std::vector<Point3>& side) {
+    std::vector<double> parts{0.0};
+    for (std::size_t i = 1; i < side.size(); ++i) parts.push_back(parts.back() + geom::distance(side[i - 1], side[i]));
+    const double length = parts.back();
+    for (double& part : parts) part /= length;
     return parts;
-  }
-  static base::Result<Surface> triangular(const Curve& a, const Curve& b, const Curve& c) {
-    DOBRA_TRY(const TriangularPatch patch, TriangularPatch::make(a, b, c));
-    return patch.surface();
   }
 
   /// Lines that go on beyond the first or last node of a cell.

@@ -25,7 +25,9 @@ std::vector<double> parted(const std::vector<double>& lines, std::size_t rows) {
 std::vector<double> merged(std::vector<double> a, const std::vector<double>& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::sort(a.begin(), a.end());
-  a.erase(std::unique(a.begin(), a.end()), a.end());
+  constexpr double rounded = 1e-12;
+  const double same = rounded * (a.back() - a.front());
+  a.erase(std::unique(a.begin(), a.end(), [&](double p, double q) { return q - p <= same; }), a.end());
   return a;
 }
 

@@ -65,13 +65,44 @@ base::Result<PlanTrace> PlanTrace::make(std::vector<Point> corners) {
   return PlanTrace(std::move(corners), geom::arc_lengths(line));
 }
 
+namespace {
+
+/// How far a place along a trace may be from a bend that it stands for.
+double rounding_of(double s, double length) {
+  constexpr double rounded = 1e-6, most = 2e-5;  // of the length: 1e-5 is half a unit of the last decimal
+  for (double unit = 1.0; unit > rounded * length; unit *= 0.1) {
+    const bool written = std::abs(s / unit - std::round(s / unit)) <= 1e-6;
+    if (written && unit <= most * length) return 0.5 * unit * (1.0 + 1e-6);
+  }
+  return rounded * length;
+}
+
+/// The places of vertices along the trace; of those that stand for a bend the nearest is at the bend.
+std::vector<double> places_of(const PlanTrace& trace, const geom::Polyline& line) {
+  std::vector<double> places;
+  for (const Point p : line.points) places.push_back(p.x);
+  const std::vector<double>& bends = trace.distances();
+  for (std::size_t k = 1; k + 1 < bends.size(); ++k) {
+    const auto away = [&](std::size_t i) { return std::abs(line.points[i].x - bends[k]); };
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (away(i) > rounding_of(line.points[i].x, trace.length())) continue;
+      if ((i > 0 && away(i - 1) <= away(i)) || (i + 1 < places.size() && away(i + 1) < away(i))) continue;
+      places[i] = bends[k];
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
 std::vector<geom::Point3> in_space(const PlanTrace& trace, const geom::Polyline& line) {
   std::vector<geom::Point3> made;
   const std::vector<double>& bends = trace.distances();
+  const std::vector<double> places = places_of(trace, line);
   for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const Point q = line.points[i];
+    const Point q{places[i], line.points[i].y};
     if (i > 0) {
-      const Point p = line.points[i - 1];
+      const Point p{places[i - 1], line.points[i - 1].y};
       std::vector<double> between;
       for (std::size_t k = 1; k + 1 < bends.size(); ++k) {
         if ((bends[k] - p.x) * (bends[k] - q.x) < 0.0) between.push_back(bends[k]);
@@ -81,6 +112,16 @@ std::vector<geom::Point3> in_space(const PlanTrace& trace, const geom::Polyline&
     }
     made.push_back(trace.in_space(q));
   }
+  return made;
+}
+
+std::vector<geom::Point3> without_twins(const std::vector<geom::Point3>& line, double near) {
+  std::vector<geom::Point3> made;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    if (i == 0 || (geom::distance(line[i], made.back()) > near && geom::distance(line[i], line.back()) > near))
+      made.push_back(line[i]);
+  }
+  if (!line.empty()) made.push_back(line.back());
   return made;
 }
 

@@ -57,8 +57,12 @@ struct Section {
   std::vector<SectionLine> lines;
 };
 
-/// The line in space, with a vertex where the trace bends.
+/// The line in space, with a vertex where the trace bends. A vertex of the line that is there but for rounding (1e-6 of
+/// the trace's length, or half a unit of its last decimal up to 1e-5 of it) is put there.
 std::vector<geom::Point3> in_space(const PlanTrace& trace, const geom::Polyline& line);
+
+/// The line without vertices that are not farther than `near` from the one before them, or from its end. Its ends stay.
+std::vector<geom::Point3> without_twins(const std::vector<geom::Point3>& line, double near);
 
 /// Diagonal of the box of all lines in space: what tolerances are measured by, m.
 double size_of(const std::vector<Section>& sections);

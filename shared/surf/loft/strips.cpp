@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "shared/geom/box.h"
@@ -38,21 +39,21 @@ struct FaultBorder {
   [[nodiscard]] const std::string& fault() const { return high ? patch->high_fault : patch->low_fault; }
 };
 
-/// Sections that two patches share: where they begin in each, and how many.
+/// Sections that two patches share: their numbers in each.
 struct Shared {
-  std::size_t in_first = 0, in_second = 0, count = 0;
+  std::vector<std::size_t> in_first, in_second;
 };
 Shared shared_sections(const Patch& a, const Patch& b) {
+  Shared shared;
+  auto from = b.sections.begin();
   for (std::size_t i = 0; i < a.sections.size(); ++i) {
-    const auto found = std::find(b.sections.begin(), b.sections.end(), a.sections[i]);
+    const auto found = std::find(from, b.sections.end(), a.sections[i]);
     if (found == b.sections.end()) continue;
-    Shared shared{i, static_cast<std::size_t>(found - b.sections.begin()), 0};
-    while (i + shared.count < a.sections.size() && shared.in_second + shared.count < b.sections.size() &&
-           a.sections[i + shared.count] == b.sections[shared.in_second + shared.count])
-      ++shared.count;
-    return shared;
+    shared.in_first.push_back(i);
+    shared.in_second.push_back(static_cast<std::size_t>(found - b.sections.begin()));
+    from = found + 1;
   }
-  return {};
+  return shared;
 }
 
 /// Points of a border by the number of their section, and the part of the way to the next.
@@ -67,19 +68,27 @@ struct BorderLine {
   }
 };
 
-BorderLine border_line(const FaultBorder& border, std::size_t first, std::size_t count) {
+/// @param which  numbers of sections of the patch, rising
+BorderLine border_line(const FaultBorder& border, const std::vector<std::size_t>& which) {
   const Patch& patch = *border.patch;
-  const auto& v = patch.sections_v;
+  std::vector<double> v;
+  for (const std::size_t number : which) v.push_back(patch.sections_v[number]);
   BorderLine line;
   const std::size_t row = border.high ? (patch.u.size() - 1) * patch.v.size() : 0;
-  std::size_t k = first;
+  std::size_t k = 0;
   for (std::size_t j = 0; j < patch.v.size(); ++j) {
-    if (patch.v[j] < v[first] || patch.v[j] > v[first + count - 1]) continue;
-    while (k + 2 < first + count && patch.v[j] >= v[k + 1]) ++k;
-    line.t.push_back(static_cast<double>(k - first) + (patch.v[j] - v[k]) / (v[k + 1] - v[k]));
+    if (patch.v[j] < v.front() || patch.v[j] > v.back()) continue;
+    while (k + 2 < v.size() && patch.v[j] >= v[k + 1]) ++k;
+    line.t.push_back(static_cast<double>(k) + (patch.v[j] - v[k]) / (v[k + 1] - v[k]));
     line.points.push_back(patch.points[row + j]);
   }
   return line;
+}
+
+BorderLine border_line(const FaultBorder& border, std::size_t first, std::size_t count) {
+  std::vector<std::size_t> which(count);
+  std::iota(which.begin(), which.end(), first);
+  return border_line(border, which);
 }
 
 struct BorderPair {
@@ -92,10 +101,8 @@ struct BorderPair {
 
 std::optional<BorderPair> pair_of(FaultBorder& a, FaultBorder& b) {
   const Shared shared = shared_sections(*a.patch, *b.patch);
-  if (shared.count < 2) return std::nullopt;
-  BorderPair pair{
-      &a, &b, shared, border_line(a, shared.in_first, shared.count), border_line(b, shared.in_second, shared.count),
-      0.0};
+  if (shared.in_first.size() < 2) return std::nullopt;
+  BorderPair pair{&a, &b, shared, border_line(a, shared.in_first), border_line(b, shared.in_second), 0.0};
   for (std::size_t i = 0; i < pair.from.t.size(); ++i)
     pair.apart +=
         geom::distance(pair.from.points[i], pair.to.at(pair.from.t[i])) / static_cast<double>(pair.from.t.size());
@@ -257,10 +264,11 @@ class Stripping {
   /// @param below_first, below_second  the horizon on the other side of what each border bounds
   void tell_rest(const BorderPair& pair, const NamedSurface& below_first, const NamedSurface& below_second) {
     for (const FaultBorder* border : {pair.first, pair.second}) {
-      const std::size_t all = border->patch->sections.size(), shared = pair.shared.count;
-      if (all == shared) continue;
+      const std::size_t all = border->patch->sections.size(), shared = pair.shared.in_first.size();
+      const auto& which = border == pair.first ? pair.shared.in_first : pair.shared.in_second;
+      const std::size_t from = which.front(), to = which.back() + 1;
+      if (from == 0 && to == all) continue;
       const bool first = border == pair.first;
-      const std::size_t from = first ? pair.shared.in_first : pair.shared.in_second, to = from + shared;
       const NamedSurface& other = first ? below_first : below_second;
       double most = 0.0;
       if (from > 0) most += wedge(*border, 0, from + 1, other);

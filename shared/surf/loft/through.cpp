@@ -1,13 +1,14 @@
 // 1. Mis-ties (ties.h).
 // 2. A name of which two lines cross is a network (network.h); else, and where that has no cell, a row of sections.
 // 3. In a row: pieces between faults, called by the faults at their ends; each run of sections that follow each other
-//    and have such a piece gives a loft.
+//    and have such a piece, or have nothing in its place, gives a loft.
 #include "shared/surf/loft/through.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -314,7 +315,8 @@ class Through {
     for (std::size_t k = 0; k < row.order.size(); ++k)
       strands.push_back(strands_of(row.order[k], row.against[k], name, kind));
     tell_uneven(item, strands);
-    for (std::size_t k = 1; k < strands.size(); ++k) keep_unjoined(strands[k - 1], strands[k]);
+    pass_over(item, kind, strands);
+    for (std::size_t k = 1; k < strands.size(); ++k) keep_unjoined(strands, k - 1, k);
     return runs(item, strands);
   }
 
@@ -349,7 +351,7 @@ class Through {
       for (const Strand& other : strands) {
         if (other.name.low == called.low && other.name.high == called.high) ++called.number;
       }
-      strands.push_back({number, called, in_space(section.trace, piece.line)});
+      strands.push_back({number, called, without_twins(in_space(section.trace, piece.line), twin * made_.size)});
     }
     return strands;
   }
@@ -371,16 +373,75 @@ class Through {
         place_at(least->back().points.back(), item));
   }
 
+  static const Strand* piece_of(const std::vector<Strand>& of_section, const PieceName& name) {
+    const auto found =
+        std::find_if(of_section.begin(), of_section.end(), [&](const Strand& strand) { return strand.name == name; });
+    return found == of_section.end() ? nullptr : &*found;
+  }
+
+  /// A section that lacks a piece which others on both sides of it have is passed over as one that lacks the whole line
+  /// is, unless it has another piece in that place.
+  void pass_over(const std::string& item, LineKind kind, const std::vector<std::vector<Strand>>& strands) {
+    passed_.clear();
+    // Places along the first line, or heights.
+    const Point3 origin = strands.front().front().points.front(), last = strands.front().back().points.back();
+    const Vector way = geom::normalised(Vector{last.x - origin.x, last.y - origin.y});
+    const auto reach = [&](const Strand& strand) {
+      std::array<double, 2> low_high{INFINITY, -INFINITY};
+      for (const Point3 p : strand.points) {
+        const double at = kind == LineKind::Fault ? p.z : geom::dot(Vector{p.x - origin.x, p.y - origin.y}, way);
+        low_high = {std::min(low_high[0], at), std::max(low_high[1], at)};
+      }
+      return low_high;
+    };
+    const auto one_place = [&](const Strand& a, const Strand& b) {
+      constexpr double most = 0.5;  // of the shorter one
+      const auto p = reach(a), q = reach(b);
+      return std::min(p[1], q[1]) - std::max(p[0], q[0]) > most * std::min(p[1] - p[0], q[1] - q[0]);
+    };
+    std::set<PieceName> names;
+    for (const auto& of_section : strands) {
+      for (const Strand& strand : of_section) names.insert(strand.name);
+    }
+    for (const PieceName& name : names) {
+      const Strand* before = nullptr;
+      std::size_t from = 0;
+      for (std::size_t k = 0; k < strands.size(); ++k) {
+        const Strand* here = piece_of(strands[k], name);
+        if (here == nullptr) continue;
+        const auto free = [&](std::size_t between) {
+          return std::all_of(strands[between].begin(), strands[between].end(), [&](const Strand& other) {
+            const bool on_both =
+                piece_of(strands[from], other.name) != nullptr && piece_of(strands[k], other.name) != nullptr;
+            return on_both || (!one_place(other, *before) && !one_place(other, *here));
+          });
+        };
+        bool all = before != nullptr;
+        for (std::size_t between = from + 1; all && between < k; ++between) all = free(between);
+        for (std::size_t between = from + 1; all && between < k; ++between) {
+          passed_.insert({name, between});
+          const Section& section = made_.sections[strands[between].front().section];
+          const Point at = section.trace.on_map(0.5 * section.trace.length());
+          tell("missing",
+               fmt::format("{}: {} is not in '{}'; its surface passes without", item, piece_words(name), section.name),
+               {.item = item, .x = at.x, .y = at.y});
+        }
+        before = here, from = k;
+      }
+    }
+  }
+
   /// Pieces of one of two sections beside each other that the other has not.
-  void keep_unjoined(const std::vector<Strand>& a, const std::vector<Strand>& b) {
+  void keep_unjoined(const std::vector<std::vector<Strand>>& strands, std::size_t number_a, std::size_t number_b) {
+    const std::vector<Strand>&a = strands[number_a], &b = strands[number_b];
     Unjoined both;
     double longest = 0.0, apart = 0.0;
     const auto keep = [&](const std::vector<Strand>& of, const std::vector<Strand>& other) {
+      const std::size_t number = &other == &a ? number_a : number_b;
       const geom::Polyline across{made_.sections[other.front().section].trace.corners(), false};
       double sum = 0.0;
       for (const Strand& strand : of) {
-        const auto like = [&](const Strand& s) { return s.name == strand.name; };
-        if (std::any_of(other.begin(), other.end(), like)) continue;
+        if (piece_of(other, strand.name) != nullptr || passed_.contains({strand.name, number})) continue;
         for (std::size_t i = 0; i < strand.points.size(); ++i) {
           const Point p{strand.points[i].x, strand.points[i].y};
           apart = std::max(apart, geom::distance(across, p));
@@ -411,7 +472,7 @@ class Through {
     unjoined_.push_back(std::move(both));
   }
 
-  /// A loft for each run of sections that follow each other and have a piece of one name.
+  /// A loft for each run of sections that follow each other and have a piece of one name, or are passed over.
   base::Result<std::vector<Patch>> runs(const std::string& item, const std::vector<std::vector<Strand>>& strands) {
     std::set<PieceName> names;
     for (const auto& of_section : strands) {
@@ -421,12 +482,10 @@ class Through {
     lines_v_.clear();
     for (const PieceName& name : names) {
       std::vector<const Strand*> run;
-      for (const auto& of_section : strands) {
-        const auto found = std::find_if(of_section.begin(), of_section.end(),
-                                        [&](const Strand& strand) { return strand.name == name; });
-        if (found != of_section.end()) {
-          run.push_back(&*found);
-        } else {
+      for (std::size_t k = 0; k < strands.size(); ++k) {
+        if (const Strand* found = piece_of(strands[k], name)) {
+          run.push_back(found);
+        } else if (!passed_.contains({name, k})) {
           DOBRA_TRY_VOID(add_loft(item, name, run, patches));
           run.clear();
         }
@@ -535,14 +594,16 @@ class Through {
     return {};
   }
 
+  static constexpr double twin = 1e-9;          // of the size: vertices that are one but for rounding
   static constexpr double uneven_end = 0.001;   // of the size: ends that are beside each other
   static constexpr double greatest_way = 0.05;  // of the size: from the border of a horizon to its fault
 
   Surfaces made_;
   const ThroughOptions& options_;
-  std::vector<std::string> names_;            // in the order in which sections name them
-  std::vector<std::vector<double>> lines_v_;  // of the patches of a row
-  std::vector<Unjoined> unjoined_;            // of a row
+  std::vector<std::string> names_;                      // in the order in which sections name them
+  std::vector<std::vector<double>> lines_v_;            // of the patches of a row
+  std::vector<Unjoined> unjoined_;                      // of a row
+  std::set<std::pair<PieceName, std::size_t>> passed_;  // pieces that a row lacks at a place and goes on without
 };
 
 }  // namespace

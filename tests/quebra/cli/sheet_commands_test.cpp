@@ -62,6 +62,18 @@ TEST_F(SheetCommands, MeshesThatAreNoSheetsAreRefusedWithThePlaceAndLeaveNoFile)
   }
 }
 
+TEST_F(SheetCommands, ElementsOnASurfaceAreMeshedAnew) {
+  const std::string file = put_mesh("hill.ply", hill());
+  const double area = told({"remesh", file, "--size", "0.3"})["area"];
+  for (const std::string ending : {".vtu", ".msh", ".inp", ".bdf"}) {
+    ASSERT_EQ(call({"remesh", file, "--size", "0.3", "--out", path("m" + ending)}).code, 0) << ending;
+    const json anew = told({"remesh", path("m" + ending), "--size", "0.4"});
+    EXPECT_NEAR(anew["area"], area, 0.01 * area) << ending;
+    EXPECT_EQ(anew["flipped"], 0) << ending;
+    EXPECT_EQ(anew["borders"], 1) << ending;
+  }
+}
+
 TEST_F(SheetCommands, OptionsThatMeanNothingAreWrongUsage) {
   const std::string file = put_mesh("hill.ply", hill());
   for (const std::vector<std::string>& bad : {std::vector<std::string>{"remesh", file, "--size", "0"},
