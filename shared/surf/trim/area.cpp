@@ -4,8 +4,11 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <limits>
 #include <queue>
 #include <vector>
+
+#include "shared/surf/details.h"
 
 namespace dobra::surf::trim {
 
@@ -87,7 +90,12 @@ class Strip {
     }
     seen_ += rule_.size();
     const Measured alone{half * kronrod, std::abs(half * (kronrod - gauss))};
-    constexpr int deepest = 14;
+    constexpr int deepest = 14, deepest_unseen = 24;
+    if (depth < deepest_unseen && !surface_.seen({{std::min(from, to), v}, {std::max(from, to), v}})) {
+      if (seen_ >= most_) return {alone.value, std::abs(alone.value)};
+      const Measured a = part(from, middle, v, depth + 1), b = part(middle, to, v, depth + 1);
+      return {a.value + b.value, a.error + b.error};
+    }
     if (!(alone.error > tolerance_ * std::abs(alone.value) + 1e-300) || depth == deepest || seen_ >= most_)
       return alone;
     const Measured a = part(from, middle, v, depth + 1), b = part(middle, to, v, depth + 1);
@@ -130,8 +138,33 @@ void measure_part(const Strip& strip, LoopPart& piece) {
   piece.area = {half * kronrod, piece.along + std::abs(half) * inner};
 }
 
-/// Parameters at which the edge has a break, or passes one of the surface; ends included, in the edge's direction.
-std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge) {
+/// Where along v narrow peaks of the surface begin and end, ascending; not more than so many.
+std::vector<double> levels_of_details(const TrimmedSurface& face) {
+  constexpr std::size_t most = 64;
+  Box box;
+  for (const ChartLoop& loop : face.loops) {
+    for (const ChartEdge& edge : loop.edges) {
+      for (int i = 0; i <= 8; ++i) box.add(edge.at(std::lerp(edge.from, edge.to, i / 8.0)));
+    }
+  }
+  if (box.empty()) return {};
+  const DetailOptions options;
+  std::vector<double> levels;
+  for (const Box& part : details_of(face.surface, box, options).parts) {
+    if (part.height() < options.look * face.surface.chart().height())
+      levels.insert(levels.end(), {part.low.y, part.high.y});
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  const std::size_t step = levels.size() / most + 1;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < levels.size(); i += step) kept.push_back(levels[i]);
+  return kept;
+}
+
+/// Parameters at which the edge has a break, or passes one of the surface or a level of v; ends included, in the edge's
+/// direction.
+std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge, const std::vector<double>& levels) {
   const double low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
   std::vector<double> cuts{low};
   for (const double at : edge.curve.breaks()) {
@@ -156,6 +189,7 @@ std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge) 
       const double b = std::lerp(cuts[i - 1], cuts[i], (k + 1.0) / places);
       for (const double u : surface.breaks().u) passes(a, b, u, true);
       for (const double v : surface.breaks().v) passes(a, b, v, false);
+      for (const double v : levels) passes(a, b, v, false);
     }
   }
   cuts.insert(cuts.end(), more.begin(), more.end());
@@ -188,9 +222,10 @@ double area_of_loop_box(const TrimmedSurface& face) {
 Measured area(const TrimmedSurface& face, double tolerance) {
   constexpr std::size_t most_in_strips = 3'000'000, most_places = 6'000'000;
   std::vector<LoopPart> parts;
+  const std::vector<double> levels = levels_of_details(face);
   for (const ChartLoop& loop : face.loops) {
     for (const ChartEdge& edge : loop.edges) {
-      const std::vector<double> cuts = part_cuts_of(face.surface, edge);
+      const std::vector<double> cuts = part_cuts_of(face.surface, edge, levels);
       for (std::size_t i = 1; i < cuts.size(); ++i) parts.push_back({&edge, cuts[i - 1], cuts[i], {}, 0.0, 0});
     }
   }
