@@ -217,9 +217,8 @@ double area_of_loop_box(const TrimmedSurface& face) {
   return box.empty() ? 0.0 : sum / (places * places) * box.width() * box.height();
 }
 
-}  // namespace
-
-Measured area(const TrimmedSurface& face, double tolerance) {
+/// @param spent  whether more places were wanted than are looked at
+Measured area_within(const TrimmedSurface& face, double tolerance, bool& spent) {
   constexpr std::size_t most_in_strips = 3'000'000, most_places = 6'000'000;
   std::vector<LoopPart> parts;
   const std::vector<double> levels = levels_of_details(face);
@@ -259,7 +258,24 @@ Measured area(const TrimmedSurface& face, double tolerance) {
     add({worst.edge, worst.from, middle, {}, 0.0, worst.depth + 1});
     add({worst.edge, middle, worst.to, {}, 0.0, worst.depth + 1});
   }
+  spent = strip.seen() >= most_in_strips;
   return sum;
+}
+
+}  // namespace
+
+Measured area(const TrimmedSurface& face, double tolerance) {
+  // What is left when the places are spent is of one rule alone: less is asked everywhere rather.
+  constexpr double coarser = 100.0, coarsest = 1e-3, enough = 1e-5;
+  bool spent = false;
+  Measured best = area_within(face, tolerance, spent);
+  for (double asked = coarser * tolerance;
+       spent && asked <= coarsest && !(best.error <= std::max(enough, asked) * std::abs(best.value));
+       asked *= coarser) {
+    const Measured next = area_within(face, asked, spent);
+    if (next.error < best.error || !std::isfinite(best.error)) best = next;
+  }
+  return best;
 }
 
 }  // namespace dobra::surf::trim

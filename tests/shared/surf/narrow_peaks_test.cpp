@@ -66,6 +66,20 @@ TEST(NarrowPeaks, AreasOfTrimmedFacesSeeThem) {
   }
 }
 
+/// Sixty waves ask for more places than are looked at with the tolerance of smooth faces.
+TEST(NarrowPeaks, AreasOfManyWavesAreRight) {
+  constexpr int n = 1200;
+  double sum = 0.0;
+  for (int i = 0; i < n * n; ++i) {
+    const double x = 6.0 * (i / n + 0.5) / n - 3.0, y = 6.0 * (i % n + 0.5) / n - 3.0;
+    const double by_x = 3.0 * std::cos(10 * x) * std::cos(8 * y), by_y = 2.4 * std::sin(10 * x) * std::sin(8 * y);
+    sum += std::sqrt(1.0 + by_x * by_x + by_y * by_y) * 36.0 / (n * n);
+  }
+  const Surface graph = *Surface::graph("0.3 * sin(10 * x) * cos(8 * y)", six);
+  EXPECT_NEAR(trim::area(framed(graph)).value, sum, 1e-5 * sum);
+  EXPECT_NEAR(area(graph, 1e-7).value, sum, 1e-5 * sum);
+}
+
 TEST(NarrowPeaks, ALogarithmNearItsPole) {
   for (const double low : {1e-2, 1e-3, 1e-4}) {
     const Surface graph = *Surface::graph("log(x)", {{low, -3}, {3, 3}});
