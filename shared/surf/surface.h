@@ -128,8 +128,8 @@ class Surface {
   /// formula has none: there they are half as much again as those at 257 x 257 places of the chart.
   [[nodiscard]] Bend bend(const geom::Box& part) const { return shape_->bend(part); }
   /// Whether 3 x 3 places of a part of the chart, its corners among them, tell how the surface bends there: nothing
-  /// inside turns the tangents by more than twice as much, and half a hundredth. Proven for graphs, taken for granted
-  /// for other kinds.
+  /// inside turns the tangents by more than twice the greatest and 2.5 times the mean of them, and half a hundredth.
+  /// Proven for graphs, taken for granted for other kinds.
   [[nodiscard]] bool seen(const geom::Box& part) const { return shape_->seen(part); }
 
   /// A kind of surface.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dobra::test {
+namespace dobra::support {
 
 /// Simpson's sum.
 template <class Function>
@@ -51,4 +51,4 @@ inline double logarithm_area(double low, double high, double width) {
   return width * (length(high) - length(low));
 }
 
-}  // namespace dobra::test
+}  // namespace dobra::support

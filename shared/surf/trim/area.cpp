@@ -4,8 +4,9 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <queue>
+#include <set>
 #include <vector>
 
 #include "shared/surf/details.h"
@@ -78,7 +79,8 @@ class Strip {
   }
 
  private:
-  [[nodiscard]] Measured part(double from, double to, double v, int depth) const {
+  /// @param unseen  halvings of parts that were not seen, beside `depth` for the tolerance
+  [[nodiscard]] Measured part(double from, double to, double v, int depth, int unseen = 0) const {
     const double half = 0.5 * (to - from), middle = from + half;
     for (std::size_t i = 0; i < rule_.size(); ++i) uv_[i] = {middle + half * rule_.at[i], v};
     surface_.jets(uv_, jets_);
@@ -91,9 +93,9 @@ class Strip {
     seen_ += rule_.size();
     const Measured alone{half * kronrod, std::abs(half * (kronrod - gauss))};
     constexpr int deepest = 14, deepest_unseen = 24;
-    if (depth < deepest_unseen && !surface_.seen({{std::min(from, to), v}, {std::max(from, to), v}})) {
+    if (depth == 0 && unseen < deepest_unseen && !surface_.seen({{std::min(from, to), v}, {std::max(from, to), v}})) {
       if (seen_ >= most_) return {alone.value, std::abs(alone.value)};
-      const Measured a = part(from, middle, v, depth + 1), b = part(middle, to, v, depth + 1);
+      const Measured a = part(from, middle, v, 0, unseen + 1), b = part(middle, to, v, 0, unseen + 1);
       return {a.value + b.value, a.error + b.error};
     }
     if (!(alone.error > tolerance_ * std::abs(alone.value) + 1e-300) || depth == deepest || seen_ >= most_)
@@ -138,9 +140,10 @@ void measure_part(const Strip& strip, LoopPart& piece) {
   piece.area = {half * kronrod, piece.along + std::abs(half) * inner};
 }
 
-/// Where along v narrow peaks of the surface begin and end, ascending; not more than so many.
+/// Where along v narrow peaks of the surface begin and end, ascending; of each octave of their heights not more than so
+/// many: those of a ridge are alike.
 std::vector<double> levels_of_details(const TrimmedSurface& face) {
-  constexpr std::size_t most = 64;
+  constexpr std::size_t most = 24;
   Box box;
   for (const ChartLoop& loop : face.loops) {
     for (const ChartEdge& edge : loop.edges) {
@@ -149,17 +152,21 @@ std::vector<double> levels_of_details(const TrimmedSurface& face) {
   }
   if (box.empty()) return {};
   const DetailOptions options;
-  std::vector<double> levels;
+  std::map<int, std::set<double>> by_height;
   for (const Box& part : details_of(face.surface, box, options).parts) {
     if (part.height() < options.look * face.surface.chart().height())
-      levels.insert(levels.end(), {part.low.y, part.high.y});
+      by_height[std::ilogb(part.height())].insert({part.low.y, part.high.y});
   }
-  std::sort(levels.begin(), levels.end());
-  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  const std::size_t step = levels.size() / most + 1;
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < levels.size(); i += step) kept.push_back(levels[i]);
-  return kept;
+  std::set<double> kept;
+  for (const auto& [octave, levels] : by_height) {
+    const std::size_t step = (levels.size() + most - 1) / most;
+    std::size_t i = 0;
+    for (const double level : levels) {
+      if (i++ % step == 0) kept.insert(level);
+    }
+    kept.insert(*levels.rbegin());
+  }
+  return {kept.begin(), kept.end()};
 }
 
 /// Parameters at which the edge has a break, or passes one of the surface or a level of v; ends included, in the edge's
@@ -262,9 +269,33 @@ Measured area_within(const TrimmedSurface& face, double tolerance, bool& spent) 
   return sum;
 }
 
+/// Whether the loops are the border of the chart, anticlockwise, and nothing else.
+bool is_whole_chart(const TrimmedSurface& face) {
+  if (face.loops.size() != 1) return false;
+  const Box& chart = face.surface.chart();
+  constexpr double beside = 1e-12, full = 1.0 - 1e-9;
+  constexpr int places = 8;
+  const double u = beside * chart.width(), v = beside * chart.height();
+  double twice = 0.0;
+  for (const ChartEdge& edge : face.loops[0].edges) {
+    Point before = edge.at(edge.from);
+    for (int i = 1; i <= places; ++i) {
+      const Point here = edge.at(std::lerp(edge.from, edge.to, static_cast<double>(i) / places));
+      const bool on_side = std::abs(here.x - chart.low.x) <= u || std::abs(here.x - chart.high.x) <= u ||
+                           std::abs(here.y - chart.low.y) <= v || std::abs(here.y - chart.high.y) <= v;
+      if (!on_side) return false;
+      twice += cross(before - chart.low, here - chart.low);
+      before = here;
+    }
+  }
+  return 0.5 * twice >= full * chart.width() * chart.height();
+}
+
 }  // namespace
 
 Measured area(const TrimmedSurface& face, double tolerance) {
+  // Of a graph that bends closely cells are better than strips.
+  if (is_whole_chart(face) && !face.surface.seen(face.surface.chart())) return surf::area(face.surface, tolerance);
   // What is left when the places are spent is of one rule alone: less is asked everywhere rather.
   constexpr double coarser = 100.0, coarsest = 1e-3, enough = 1e-5;
   bool spent = false;

@@ -42,9 +42,9 @@ TEST(MeshesOfNarrowPeaks, APeakIsMeshedWithItsArea) {
   const struct {
     const char* formula;
     double area;
-  } cases[]{{"0.01 * exp(-10000 * (x^2 + y^2))", dobra::test::peak_area(0.01, 1e4)},
-            {"0.01 * exp(-10000 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::test::peak_area(0.01, 1e4)},
-            {"0.1 * exp(-3000 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::test::peak_area(0.1, 3e3)}};
+  } cases[]{{"0.01 * exp(-10000 * (x^2 + y^2))", dobra::support::peak_area(0.01, 1e4)},
+            {"0.01 * exp(-10000 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::support::peak_area(0.01, 1e4)},
+            {"0.1 * exp(-3000 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::support::peak_area(0.1, 3e3)}};
   for (const auto& [formula, area] : cases) {
     for (const double size : {1.0, 0.3, 0.1}) {
       const auto mesh = meshed(formula, size);
@@ -66,21 +66,21 @@ TEST(MeshesOfNarrowPeaks, NoneIsLeftOutSilently) {
     double area;
     double reach;  ///< A place of the feature is so near to the line or point.
     std::function<double(geom::Point)> away;
-  } cases[]{{"exp(-3000 * (x^2 + y^2))", dobra::test::peak_area(1.0, 3e3), 0.15,
+  } cases[]{{"exp(-3000 * (x^2 + y^2))", dobra::support::peak_area(1.0, 3e3), 0.15,
              [](geom::Point p) {
                return geom::distance(p, {0, 0});
              }},
-            {"exp(-10000 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::test::peak_area(1.0, 1e4), 0.15,
+            {"exp(-10000 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::support::peak_area(1.0, 1e4), 0.15,
              [](geom::Point p) {
                return geom::distance(p, {0.137, -0.211});
              }},
-            {"0.0001 * exp(-1e8 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::test::peak_area(1e-4, 1e8), 0.15,
+            {"0.0001 * exp(-1e8 * ((x - 0.137)^2 + (y + 0.211)^2))", dobra::support::peak_area(1e-4, 1e8), 0.15,
              [](geom::Point p) {
                return geom::distance(p, {0.137, -0.211});
              }},
-            {"exp(-1e4 * (x - 0.3 * y)^2)", dobra::test::ridge_area(1e4, 0.3), 0.15,
+            {"exp(-1e4 * (x - 0.3 * y)^2)", dobra::support::ridge_area(1e4, 0.3), 0.15,
              [](geom::Point p) { return std::abs(p.x - 0.3 * p.y); }},
-            {"tanh(1000 * x)", dobra::test::step_area(1e3), 0.15, [](geom::Point p) { return std::abs(p.x); }}};
+            {"tanh(1000 * x)", dobra::support::step_area(1e3), 0.15, [](geom::Point p) { return std::abs(p.x); }}};
   for (const auto& [formula, area, reach, away] : cases) {
     for (const double size : {1.0, 0.3}) {
       for (const SurfaceEngine engine : {SurfaceEngine::Front, SurfaceEngine::Paper}) {
