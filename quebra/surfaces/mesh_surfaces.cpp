@@ -13,6 +13,7 @@
 #include "quebra/surfaces/crossing_doubts.h"
 #include "quebra/surfaces/expected_triangles.h"
 #include "quebra/surfaces/face_engine.h"
+#include "quebra/surfaces/left_out.h"
 #include "quebra/surfaces/mesh_doubts.h"
 #include "quebra/surfaces/wanted_size.h"
 #include "shared/surf/mesh/assemble.h"
@@ -199,6 +200,7 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   meshed.quality = surf::mesh::quality_of(meshed.mesh);
   doubt_triangles(meshed, set, charts.owner, areas);
   doubt_crossings(meshed, set, charts.faces, charts.owner);
+  doubt_details(meshed, charts.faces, options.sizes);
   meshed.elements = surf::mesh::elements_of(meshed.mesh);
   if (options.quadrilaterals) meshed.elements = surf::mesh::recombine(meshed.elements);
   if (options.second_order)

@@ -40,6 +40,7 @@ struct MovedSurface : Surface::Shape {
     const Bend bend = of->bend(part);
     return {most * bend.uu, most * bend.uv, most * bend.vv};
   }
+  [[nodiscard]] bool seen(const Box& part) const override { return of->seen(part); }
 };
 
 /// A range of a parameter that goes round.
@@ -96,6 +97,14 @@ struct WindowShape : Surface::Shape {
       }
     }
     return most;
+  }
+  [[nodiscard]] bool seen(const Box& part) const override {
+    for (const auto& [u0, u1] : u.parts(part.low.x, part.high.x)) {
+      for (const auto& [v0, v1] : v.parts(part.low.y, part.high.y)) {
+        if (!of->seen({{u0, v0}, {u1, v1}})) return false;
+      }
+    }
+    return true;
   }
 };
 
@@ -187,6 +196,7 @@ struct OffsetShape : Surface::Shape {
     }
     return most;
   }
+  [[nodiscard]] bool seen(const Box& part) const override { return of.seen(part); }
 };
 
 /// @error DegenerateCurve: the offset along the normal of a place passes a centre of curvature.

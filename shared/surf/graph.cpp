@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "shared/base/formula.h"
+#include "shared/base/formula_jet.h"
 #include "shared/surf/graph_flaws.h"
 #include "shared/surf/surface.h"
 
@@ -22,9 +24,11 @@ namespace {
 
 struct GraphShape : Surface::Shape {
   base::Formula formula;
+  base::FormulaJet exact;
   Box chart;
   double step = 2e-3;  ///< The step of the differences, part of the chart.
-  GraphShape(base::Formula height, const Box& where) : formula(std::move(height)), chart(where) {}
+  GraphShape(base::Formula height, base::FormulaJet jets, const Box& where)
+      : formula(std::move(height)), exact(std::move(jets)), chart(where) {}
 
   std::vector<double> breaks_x, breaks_y;  ///< Kinks along lines, with the ends of the chart.
 
@@ -125,6 +129,19 @@ struct GraphShape : Surface::Shape {
     step = best;
   }
 
+  /// Whether a part of the formula lacks derivatives at one of 33 x 33 places.
+  [[nodiscard]] bool needs_differences() const {
+    constexpr int parts = 32;
+    for (int i = 0; i <= parts; ++i) {
+      for (int j = 0; j <= parts; ++j) {
+        const base::PlaneJet<double> z = of_formula({std::lerp(chart.low.x, chart.high.x, i / double{parts}),
+                                                     std::lerp(chart.low.y, chart.high.y, j / double{parts})});
+        if (!is_finite(z)) return true;
+      }
+    }
+    return false;
+  }
+
   /// The mixed derivative by a net of 9 x 9 places, by steps.
   [[nodiscard]] double mixed(Point uv, const Range& in_x, const Range& in_y) const {
     const auto [across, left] = stencil_at(uv.x, in_x);
@@ -138,7 +155,31 @@ struct GraphShape : Surface::Shape {
     return zxy;
   }
 
+  static bool is_finite(const base::PlaneJet<double>& z) {
+    return std::isfinite(z.x + z.y) && std::isfinite(z.xx + z.xy + z.yy);
+  }
+  /// A hair inside the range, where the place lies at one of its ends: derivatives are those of the side.
+  static double inside(double at, const std::vector<double>& breaks) {
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
+    const double low = *(above - 1), high = *above, hair = 1e-10 * (high - low);
+    if (std::abs(at - low) < hair) return low + hair;
+    return std::abs(at - high) < hair ? high - hair : at;
+  }
+  /// Of the formula; not finite where one of its parts has no derivative.
+  [[nodiscard]] base::PlaneJet<double> of_formula(Point uv) const {
+    if (breaks_x.empty()) return exact.at(uv.x, uv.y);
+    const Point at{inside(uv.x, breaks_x), inside(uv.y, breaks_y)};
+    base::PlaneJet<double> z = exact.at(at.x, at.y);
+    if (at != uv) z.value = height(uv.x, uv.y);
+    return z;
+  }
   [[nodiscard]] Jet jet(Point uv) const {
+    const base::PlaneJet<double> z = of_formula(uv);
+    if (!is_finite(z) && std::isfinite(z.value)) return by_differences(uv);
+    return {{uv.x, uv.y, z.value}, {1.0, 0.0, z.x},  {0.0, 1.0, z.y},
+            {0.0, 0.0, z.xx},      {0.0, 0.0, z.xy}, {0.0, 0.0, z.yy}};
+  }
+  [[nodiscard]] Jet by_differences(Point uv) const {
     const Range in_x = range_x(uv.x, step), in_y = range_y(uv.y, step);
     const double hx = in_x.h, hy = in_y.h;
     const auto [across, left] = stencil_at(uv.x, in_x);
@@ -162,8 +203,9 @@ struct GraphShape : Surface::Shape {
 
   /// Of the second derivatives at places `gaps` x `gaps` and then of blocks of 2 x 2, 4 x 4 ... of them the greatest.
   static constexpr int gaps = 256;
-  std::vector<std::vector<Bend>> levels;
-  void look_at_bends() {
+  mutable std::vector<std::vector<Bend>> levels;
+  mutable std::once_flag looked;
+  void look_at_bends() const {
     const double hx = chart.width() / gaps, hy = chart.height() / gaps;
     std::vector<double> z;
     for (int i = 0; i <= gaps; ++i) {
@@ -218,7 +260,44 @@ struct GraphShape : Surface::Shape {
   static void take(Bend& most, const Bend& other) {
     most = {std::max(most.uu, other.uu), std::max(most.uv, other.uv), std::max(most.vv, other.vv)};
   }
+  [[nodiscard]] base::FormulaJet::Bounds bounds(const Box& part) const {
+    return exact.over({part.low.x, part.high.x}, {part.low.y, part.high.y});
+  }
+  [[nodiscard]] bool seen(const Box& part) const override {
+    constexpr double least = 5e-3, more = 2.0;
+    const base::PlaneJet<base::Range> z = bounds(part).of;
+    const double w = part.width(), h = part.height();
+    const double by_x = z.xx.size() * w + z.xy.size() * h, by_y = z.xy.size() * w + z.yy.size() * h;
+    if (by_x <= least && by_y <= least) return true;
+    if (!std::isfinite(by_x + by_y)) return false;
+    // A narrow peak may be met by one place, or a ridge by a row of them: the mean counts too.
+    double most_x = 0.0, most_y = 0.0, sum_x = 0.0, sum_y = 0.0;
+    for (int i = 0; i < 9; ++i) {
+      const base::PlaneJet<double> at = of_formula(
+          {std::lerp(part.low.x, part.high.x, 0.5 * (i / 3)), std::lerp(part.low.y, part.high.y, 0.5 * (i % 3))});
+      if (!is_finite(at)) continue;
+      const double here_x = std::abs(at.xx) * w + std::abs(at.xy) * h;
+      const double here_y = std::abs(at.xy) * w + std::abs(at.yy) * h;
+      most_x = std::max(most_x, here_x), most_y = std::max(most_y, here_y);
+      sum_x += here_x, sum_y += here_y;
+    }
+    constexpr double more_than_mean = 2.5 / 9.0;
+    return by_x <= std::min(more * most_x, more_than_mean * sum_x) + least &&
+           by_y <= std::min(more * most_y, more_than_mean * sum_y) + least;
+  }
   [[nodiscard]] Bend bend(const Box& part) const override {
+    Bend most;
+    const Point m = part.centre();
+    for (const Box& quarter : {Box{part.low, m}, Box{{m.x, part.low.y}, {part.high.x, m.y}},
+                               Box{{part.low.x, m.y}, {m.x, part.high.y}}, Box{m, part.high}}) {
+      const base::PlaneJet<base::Range> z = bounds(quarter).of;
+      take(most, {z.xx.size(), z.xy.size(), z.yy.size()});
+    }
+    if (std::isfinite(most.uu + most.uv + most.vv)) return most;
+    std::call_once(looked, [&] { look_at_bends(); });
+    return by_table(part);
+  }
+  [[nodiscard]] Bend by_table(const Box& part) const {
     const double across = std::max(part.width() / chart.width(), part.height() / chart.height());
     std::size_t level = 0;
     while (level + 1 < levels.size() && across * gaps > static_cast<double>(std::size_t{1} << level)) ++level;
@@ -240,7 +319,8 @@ struct GraphShape : Surface::Shape {
 base::Result<Surface> Surface::graph(const std::string& formula, const Box& chart) {
   const std::array<std::string, 2> names{"x", "y"};
   DOBRA_TRY(base::Formula height, base::Formula::make(formula, names));
-  const auto shape = std::make_shared<GraphShape>(std::move(height), chart);
+  DOBRA_TRY(base::FormulaJet exact, base::FormulaJet::make(formula, names));
+  const auto shape = std::make_shared<GraphShape>(std::move(height), std::move(exact), chart);
   constexpr int parts = 32;
   for (int i = 0; i <= parts; ++i) {
     for (int j = 0; j <= parts; ++j) {
@@ -264,8 +344,7 @@ base::Result<Surface> Surface::graph(const std::string& formula, const Box& char
     };
     shape->breaks_x = with_ends(kinks.u, chart.low.x, chart.high.x);
     shape->breaks_y = with_ends(kinks.v, chart.low.y, chart.high.y);
-    shape->choose_step();
-    shape->look_at_bends();
+    if (shape->needs_differences()) shape->choose_step();
   }
   return make(shape, chart, std::move(kinks));
 }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 
 #include "shared/base/formula.h"
+#include "shared/base/formula_jet.h"
 
 namespace dobra::surf {
 
@@ -36,7 +38,45 @@ class Looker {
     return std::move(found_);
   }
 
+  /// Goes on with parts in which a flaw may be, looked at through their middles, where none was found near them.
+  GraphFlaws go_on(GraphFlaws found, const std::vector<Box>& suspects) {
+    found_ = std::move(found);
+    find_range();
+    for (const Box& part : suspects) {
+      const Point m = part.centre();
+      const double near = 3.0 * part.diagonal() + 1e-6 * chart_.diagonal();
+      if (std::any_of(found_.flaws.begin(), found_.flaws.end(),
+                      [&](const GraphFlaw& flaw) { return geom::distance(flaw.at, m) <= near; }))
+        continue;
+      for (const bool along_x : {true, false}) {
+        kinks_.clear();
+        const double half = along_x ? part.width() : part.height();
+        const double low = along_x ? chart_.low.x : chart_.low.y, high = along_x ? chart_.high.x : chart_.high.y;
+        const double at = along_x ? m.x : m.y;
+        look_closer({height_, along_x, along_x ? m.y : m.x}, std::max(low, at - half), std::min(high, at + half),
+                    high - low);
+        for (const Kink& kink : kinks_) add_kink(kink.at);
+      }
+      kinks_.clear();
+      look_round(m, std::max(part.width() / chart_.width(), part.height() / chart_.height()));
+    }
+    return std::move(found_);
+  }
+
  private:
+  /// But where one is known.
+  void add_kink(Point at) {
+    constexpr double beside = 1e-6;
+    const auto on = [&](const std::vector<double>& lines, double c, double range) {
+      return std::any_of(lines.begin(), lines.end(), [&](double l) { return std::abs(l - c) <= beside * range; });
+    };
+    if (on(found_.kinks_x, at.x, chart_.width()) || on(found_.kinks_y, at.y, chart_.height())) return;
+    if (std::any_of(found_.flaws.begin(), found_.flaws.end(),
+                    [&](const GraphFlaw& flaw) { return geom::distance(flaw.at, at) <= beside * chart_.diagonal(); }))
+      return;
+    add(GraphFlawKind::Kink, at);
+  }
+
   void find_range() {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     constexpr int places = 64;
@@ -157,9 +197,9 @@ class Looker {
            std::abs(height_(p.x, p.y - dy) - twice + height_(p.x, p.y + dy));
   }
   /// Closer and closer to a place that no line may pass, as the point of a cone.
-  void look_round(Point middle) {
+  void look_round(Point middle, double start = 1.0 / 64.0) {
     constexpr int half = 4;
-    constexpr double start = 1.0 / 64.0, noise = 1e3 * std::numeric_limits<double>::epsilon(), closer = 1.0 / half;
+    constexpr double noise = 1e3 * std::numeric_limits<double>::epsilon(), closer = 1.0 / half;
     std::vector<Sharpest> levels;
     for (double part = start; part > 1e-10; part *= closer) {
       const double dx = part * chart_.width() / half, dy = part * chart_.height() / half;
@@ -184,12 +224,7 @@ class Looker {
     const std::size_t kinks = kinks_.size();
     judge({height_, true, middle.y}, middle, levels, chart_.width());
     if (kinks_.size() == kinks) return;
-    const auto on = [](const std::vector<double>& lines, double at, double range) {
-      constexpr double beside = 1e-6;
-      return std::any_of(lines.begin(), lines.end(), [&](double c) { return std::abs(c - at) <= beside * range; });
-    };
-    if (!on(found_.kinks_x, middle.x, chart_.width()) && !on(found_.kinks_y, middle.y, chart_.height()))
-      add(GraphFlawKind::Kink, middle);
+    add_kink(middle);
   }
 
   void judge(const Line& line, Point at, const std::vector<Sharpest>& levels, double width) {
@@ -243,6 +278,39 @@ class Looker {
   GraphFlaws found_;
 };
 
+/// Small parts of a chart over which a formula may have a kink or a jump, or its derivatives have no bound, but for
+/// kinks along lines that are known.
+std::vector<Box> suspects_in(const base::FormulaJet& formula, const Box& chart, const GraphFlaws& known) {
+  constexpr std::size_t most_looks = 4000, most = 32;
+  constexpr double finest = 1e-5, beside = 1e-9;  // of the chart
+  const auto passed = [](const std::vector<double>& lines, double low, double high, double hair) {
+    return std::any_of(lines.begin(), lines.end(), [&](double c) { return c >= low - hair && c <= high + hair; });
+  };
+  std::deque<Box> next{chart};  // the coarsest first
+  std::vector<Box> found;
+  for (std::size_t looks = 0; !next.empty(); ++looks) {
+    const Box part = next.front();
+    next.pop_front();
+    const base::FormulaJet::Bounds bounds = formula.over({part.low.x, part.high.x}, {part.low.y, part.high.y});
+    const base::PlaneJet<base::Range>& z = bounds.of;
+    if (!bounds.kink && std::isfinite(z.value.size() + z.xx.size() + z.xy.size() + z.yy.size())) continue;
+    if (part.width() <= finest * chart.width() || looks + next.size() > most_looks) {
+      if (!passed(known.kinks_x, part.low.x, part.high.x, beside * chart.width()) &&
+          !passed(known.kinks_y, part.low.y, part.high.y, beside * chart.height()))
+        found.push_back(part);
+      continue;
+    }
+    const Point m = part.centre();
+    for (const Box& quarter : {Box{part.low, m}, Box{{m.x, part.low.y}, {part.high.x, m.y}},
+                               Box{{part.low.x, m.y}, {m.x, part.high.y}}, Box{m, part.high}})
+      next.push_back(quarter);
+  }
+  std::vector<Box> kept;
+  const std::size_t step = found.size() / most + 1;
+  for (std::size_t i = 0; i < found.size(); i += step) kept.push_back(found[i]);
+  return kept;
+}
+
 }  // namespace
 
 GraphFlaws graph_flaws(const std::function<double(double, double)>& height, const Box& chart,
@@ -253,7 +321,11 @@ GraphFlaws graph_flaws(const std::function<double(double, double)>& height, cons
 base::Result<GraphFlaws> graph_flaws(const std::string& formula, const Box& chart, const GraphFlawOptions& options) {
   const std::array<std::string, 2> names{"x", "y"};
   DOBRA_TRY(const base::Formula height, base::Formula::make(formula, names));
-  return graph_flaws([&](double x, double y) { return height.at(std::array{x, y}); }, chart, options);
+  DOBRA_TRY(const base::FormulaJet jets, base::FormulaJet::make(formula, names));
+  const std::function<double(double, double)> z = [&](double x, double y) { return height.at(std::array{x, y}); };
+  GraphFlaws found = graph_flaws(z, chart, options);
+  const std::vector<Box> suspects = suspects_in(jets, chart, found);
+  return suspects.empty() ? found : Looker(z, chart, options).go_on(std::move(found), suspects);
 }
 
 }  // namespace dobra::surf

@@ -36,7 +36,8 @@ struct GraphFlawOptions {
 /// @cost about 100,000 evaluations. What is narrower than a part of a line may be missed.
 GraphFlaws graph_flaws(const std::function<double(double, double)>& height, const geom::Box& chart,
                        const GraphFlawOptions& options = {});
-/// Of a formula of x and y. @error those of base::Formula
+/// Of a formula of x and y: besides, parts of the chart over which it may have a kink or a jump, or its derivatives
+/// have no bound (base::FormulaJet), are halved down to 1e-5 of the chart and looked at. @error those of base::Formula
 base::Result<GraphFlaws> graph_flaws(const std::string& formula, const geom::Box& chart,
                                      const GraphFlawOptions& options = {});
 

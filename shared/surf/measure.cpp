@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <queue>
+#include <utility>
 
 #include "shared/geom/arc_length.h"
+#include "shared/surf/details.h"
 
 namespace dobra::surf {
 
@@ -114,6 +117,13 @@ std::vector<double> within(const std::vector<double>& breaks, double low, double
   return inside;
 }
 
+/// Parts of a part in which a rule misses no narrow peak.
+std::vector<Box> parts_seen(const Surface& surface, const Box& part) {
+  Details found = details_of(surface, part, {.look = std::numeric_limits<double>::infinity()});
+  found.parts.insert(found.parts.end(), found.unseen.begin(), found.unseen.end());
+  return std::move(found.parts);
+}
+
 }  // namespace
 
 Measured area(const Surface& surface, const Box& part, double tolerance) {
@@ -129,8 +139,8 @@ Measured area(const Surface& surface, const Box& part, double tolerance) {
   const std::vector<double> vs = within(surface.breaks().v, part.low.y, part.high.y);
   for (std::size_t i = 1; i < us.size(); ++i) {
     for (std::size_t j = 1; j < vs.size(); ++j) {
-      const Box box{{us[i - 1], vs[j - 1]}, {us[i], vs[j]}};
-      add(box, area_of_cell(surface, box), 0);
+      for (const Box& box : parts_seen(surface, {{us[i - 1], vs[j - 1]}, {us[i], vs[j]}}))
+        add(box, area_of_cell(surface, box), 0);
     }
   }
   constexpr int deepest = 20;
@@ -163,6 +173,8 @@ double length(const Surface& surface, Point from, Point to) {
   }
   std::erase_if(cuts, [](double t) { return t < 0.0 || t > 1.0; });
   std::sort(cuts.begin(), cuts.end());
+  cuts = seen_along(
+      surface, [&](double t) { return geom::interpolate(from, to, t); }, cuts);
   double sum = 0.0;
   for (std::size_t i = 1; i < cuts.size(); ++i) sum += geom::arc_length(speed, cuts[i - 1], cuts[i]);
   return sum;

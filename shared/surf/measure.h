@@ -40,8 +40,8 @@ struct Measured {
   double error = 0.0;
 };
 
-/// Area of a part of the chart, m2. Gauss's rule with 8 x 8 points between the breaks; cells are quartered until the
-/// sum of their errors is within the tolerance, or 20 times.
+/// Area of a part of the chart, m2. Gauss's rule with 8 x 8 points between the breaks, in cells that show how the
+/// surface bends (details.h); these are quartered until the sum of their errors is within the tolerance, or 20 times.
 /// @param tolerance  part of the area. Not a number where the surface has no value (a formula undefined between the
 /// places at which Surface::graph looked).
 Measured area(const Surface& surface, const geom::Box& part, double tolerance = 1e-10);

@@ -68,10 +68,9 @@ class Surface {
   /// Coons's patch of four borders on the unit square: bottom and top along u, left and right along v.
   /// @error DegenerateCurve: borders that do not meet in the corners to 1e-9 of their size, with the gap and its place.
   static base::Result<Surface> coons(const Curve& bottom, const Curve& top, const Curve& left, const Curve& right);
-  /// z = formula(x, y) over a rectangle, u = x and v = y. Derivatives are differences of eighth order, their
-  /// step chosen once: the second ones are right to 2e-9 of their greatest where the formula waves once over the chart,
-  /// to 5e-8 where it waves 50 times. @cost 27 evaluations of the formula a jet, 100
-  /// near a border.
+  /// z = formula(x, y) over a rectangle, u = x and v = y. Derivatives are those of the formula (base::FormulaJet);
+  /// where one of its parts has none though the whole has a value (sqrt(x^4) at 0), differences of eighth order.
+  /// @cost a few evaluations of the formula a jet
   /// @error those of base::Formula; OutsideDomain where it is not defined, with the place.
   static base::Result<Surface> graph(const std::string& formula, const geom::Box& chart);
 
@@ -125,15 +124,20 @@ class Surface {
   /// Many at once. @pre as many jets as points
   void jets(std::span<const geom::Point> uv, std::span<Jet> jets) const { shape_->jets(uv, jets); }
 
-  /// Bounds of the second derivatives in a part of the chart: proven ones, but for rounding, and for a graph, where
-  /// they are half as much again as those at 257 x 257 places of the chart.
+  /// Bounds of the second derivatives in a part of the chart: proven ones, but for rounding, and for a graph where its
+  /// formula has none: there they are half as much again as those at 257 x 257 places of the chart.
   [[nodiscard]] Bend bend(const geom::Box& part) const { return shape_->bend(part); }
+  /// Whether 3 x 3 places of a part of the chart, its corners among them, tell how the surface bends there: nothing
+  /// inside turns the tangents by more than twice the greatest and 2.5 times the mean of them, and half a hundredth.
+  /// Proven for graphs, taken for granted for other kinds.
+  [[nodiscard]] bool seen(const geom::Box& part) const { return shape_->seen(part); }
 
   /// A kind of surface.
   struct Shape {
     virtual ~Shape() = default;
     virtual void jets(std::span<const geom::Point> uv, std::span<Jet> jets) const = 0;
     [[nodiscard]] virtual Bend bend(const geom::Box& part) const = 0;
+    [[nodiscard]] virtual bool seen(const geom::Box& /*part*/) const { return true; }
   };
   /// A kind that is not above. @param inside  breaks between the ends of the chart
   static base::Result<Surface> of(std::shared_ptr<const Shape> shape, const geom::Box& chart, Breaks inside = {}) {

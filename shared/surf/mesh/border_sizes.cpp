@@ -9,8 +9,11 @@
 #include <queue>
 #include <unordered_map>
 
+#include "shared/surf/details.h"
 #include "shared/surf/measure.h"
 #include "shared/surf/mesh/chart_sizes.h"
+#include "shared/surf/mesh/tips.h"
+#include "shared/surf/trim/open.h"
 
 namespace dobra::surf::mesh {
 
@@ -80,6 +83,14 @@ double bend_of_curve(const EdgeInSpace& edge, double s) {
   return speed > 0.0 ? geom::length(cross(c.first, c.second)) / (speed * speed * speed) : 0.0;
 }
 
+}  // namespace
+
+bool ends_in_tip(const BorderEdge& edge, double s) {
+  return !edge.line && is_corner_tip(edge.space.surface(), edge.space.place(s));
+}
+
+namespace {
+
 /// What is wanted along an edge at a parameter: by its bend and the surface's, by a formula, and by the bends of the
 /// surface beside it, from which sizes grow. No bend counts as sharper than one whose radius is one point.
 class Wishes {
@@ -89,9 +100,11 @@ class Wishes {
         both_sides_(edge.line.has_value()),
         sizes_(sizes),
         largest_(largest),
-        most_bend_(1.0 / std::min(edge.tolerance, finest_bend * largest)) {}
+        most_bend_(1.0 / std::min(edge.tolerance, finest_bend * largest)),
+        near_tip_(nearest_seen(edge, largest)) {}
 
-  [[nodiscard]] double at(double s) const {
+  [[nodiscard]] double at(double place) const {
+    const double s = std::clamp(place, near_tip_[0], near_tip_[1]);
     const Point uv = space_.place(s);
     const double by_bend = std::min(allowed(bend_of_curve(space_, s)), by_surface(uv, space_.surface().jet(uv)));
     const double own = std::min({largest_, by_bend, sizes_.wanted_at(uv, space_.at(s))});
@@ -101,6 +114,14 @@ class Wishes {
   }
 
  private:
+  /// Between which parameters sizes are those of the place: nearer to a tip they are those at that distance.
+  static std::array<double, 2> nearest_seen(const BorderEdge& edge, double largest) {
+    std::array<double, 2> seen{0.0, 1.0};
+    const double near = std::min(tip_seen * largest, 0.25 * edge.space.length(0.0, 1.0));
+    if (ends_in_tip(edge, 0.0)) seen[0] = edge.space.parameter_at(near);
+    if (ends_in_tip(edge, 1.0)) seen[1] = edge.space.parameter_at(edge.space.length(0.0, 1.0) - near);
+    return seen;
+  }
   [[nodiscard]] double allowed(double bend) const {
     return allowed_by(std::isfinite(bend) ? std::min(bend, most_bend_) : bend, sizes_);
   }
@@ -139,9 +160,11 @@ class Wishes {
   const SizeOptions& sizes_;
   const double largest_;
   const double most_bend_;  ///< 1/m
+  const std::array<double, 2> near_tip_;
 };
 
-/// Samples a quarter of the largest size apart; between two of them more, while they are farther apart than their size.
+/// Samples a quarter of the largest size apart, and where the surface bends closely; between two of them more, while
+/// they are farther apart than their size.
 Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions& sizes, double largest) {
   constexpr double samples_a_side = 4.0;
   constexpr std::size_t most_samples = 20'000;
@@ -164,12 +187,15 @@ Profile wishes_of(const BorderEdge& edge, const Piece& piece, const SizeOptions&
     double s, size;
     int level;
   };
-  std::vector<Sample> after;  // the next one last
-  for (std::size_t i = count + 1; i-- > 0;) {
+  std::vector<double> even;
+  for (std::size_t i = 0; i <= count; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(count);
-    const double s = i == count ? piece.s1 : i == 0 ? piece.s0 : std::lerp(piece.s0, piece.s1, part);
-    after.push_back({s, wishes.at(s), 0});
+    even.push_back(i == count ? piece.s1 : i == 0 ? piece.s0 : std::lerp(piece.s0, piece.s1, part));
   }
+  const std::vector<double> first = seen_along(
+      space.surface(), [&](double s) { return space.place(s); }, even);
+  std::vector<Sample> after;  // the next one last
+  for (std::size_t i = first.size(); i-- > 0;) after.push_back({first[i], wishes.at(first[i]), 0});
   std::size_t left = most_samples - std::min(most_samples, count);
   while (!after.empty()) {
     const Sample next = after.back();
@@ -438,6 +464,27 @@ std::vector<double> sums_of(const Profile& profile) {
 }
 
 }  // namespace
+
+void clear_tip(const BorderEdge& edge, const Profile& profile, std::vector<double>& parameters) {
+  const Surface& surface = edge.space.surface();
+  for (const bool at_end : {false, true}) {
+    const double tip = at_end ? 1.0 : 0.0;
+    if ((at_end ? parameters.back() : parameters.front()) != tip || edge.name != trim::artificial_border ||
+        !ends_in_tip(edge, tip))
+      continue;
+    const double whole = edge.space.length(0.0, 1.0), looked = 0.1 * whole;
+    const double s = edge.space.parameter_at(at_end ? whole - looked : looked);
+    const auto bent = curvature(surface.jet(edge.space.place(s)));
+    if (!bent) continue;
+    const double sharpest = std::max(std::abs(bent->least), std::abs(bent->greatest));
+    const double half_angle = std::atan(1.0 / (sharpest * looked));
+    const double clear = first_way_from_tip(half_angle, at_end ? profile.size.back() : profile.size.front());
+    std::erase_if(parameters, [&](double at) {
+      const double way = edge.space.travelled(at);
+      return at != 0.0 && at != 1.0 && (at_end ? whole - way : way) < clear;
+    });
+  }
+}
 
 double sides_wanted(const Profile& profile) { return sums_of(profile).back(); }
 

@@ -37,4 +37,9 @@ double sides_wanted(const Profile& profile);
 /// Parameters of the ends of the sides, s0 and s1 among them: as few sides as the sizes allow, at least `least`.
 std::vector<double> even_parameters(const EdgeInSpace& edge, const Profile& profile, std::size_t least);
 
+/// Whether an edge of a loop ends in a tip there. @param s  0 or 1
+bool ends_in_tip(const BorderEdge& edge, double s);
+/// Takes out of a seam what is nearer to a tip at its end than the wheel round that reaches (tips.h).
+void clear_tip(const BorderEdge& edge, const Profile& profile, std::vector<double>& parameters);
+
 }  // namespace dobra::surf::mesh

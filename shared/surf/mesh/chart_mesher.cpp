@@ -309,7 +309,7 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
   if (fewest.grave() == 0 || options.keep_folds) return *std::move(best);
   const geom::Point3 p = input.surface.at(fewest.first);
   return Error{ErrorCode::CannotMesh,
-               fewest.folded > 0 ? "the mesh folds over itself here: use another size, or smaller ones"
+               fewest.folded > 0 ? "the mesh folds over itself here: use another size, smaller ones, or a smaller turn"
                                  : "a triangle here is far longer than the size asked for: use another size",
                base::Place{.x = p.x, .y = p.y, .z = p.z, .u = fewest.first.x, .v = fewest.first.y}};
 }

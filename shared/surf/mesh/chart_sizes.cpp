@@ -156,6 +156,7 @@ class Builder {
     }
     least_size = least.size;
     const double side = tree.side(id) * std::max(most.along_x, most.along_y);
+    if (side > unnoticed_ && !chart_.seen(cell)) return true;
     if (side <= 0.5 * least.size) return false;
     const double longest = 8.0 * least.size;
     if (side > longest && (most.along_x > unstretched * least.along_x || most.along_y > unstretched * least.along_y ||

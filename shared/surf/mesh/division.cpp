@@ -133,6 +133,7 @@ class Divider {
       }
       DOBRA_TRY_VOID(not_too_many(p, sides_wanted(profiles_[p])));
       parameters_[p] = even_parameters(edge_of(p).space, profiles_[p], closed(p) ? 3 : 1);
+      clear_tip(edge_of(p), profiles_[p], parameters_[p]);
     }
     return {};
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "shared/surf/details.h"
+
 namespace dobra::surf::mesh {
 
 using geom::Point3;
@@ -39,6 +41,8 @@ EdgeInSpace::EdgeInSpace(Surface surface, trim::ChartEdge edge) : surface_(std::
     }
   }
   marks_.push_back(1.0);
+  marks_ = seen_along(
+      surface_, [&](double s) { return place(s); }, marks_);
   travelled_.push_back(0.0);
   for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
     const auto rate = [&](double s) { return speed(s); };

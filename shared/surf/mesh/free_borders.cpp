@@ -8,6 +8,7 @@
 
 #include "shared/geom/predicates.h"
 #include "shared/surf/closest.h"
+#include "shared/surf/measure.h"
 
 namespace dobra::surf::mesh {
 
@@ -147,19 +148,22 @@ class Freeing {
     const std::size_t chart = mesh_.faces[around[0].triangle];
     const Surface& surface = surfaces_[chart].surface;
     const geom::Box& box = surface.chart();
+    // Beyond a seam a closed chart goes on; that of a slender tip is turned there.
+    const bool goes_on = surface.closed_u() || surface.closed_v();
+    const auto by_step = [&](const Corner& c) {
+      return mesh_.faces[c.triangle] == chart && (goes_on || place(c) == place(around[0]));
+    };
     // One of its places in this chart must stay there: the surface is asked nowhere else.
     std::optional<Point> inside;
     for (const Corner& c : around) {
       const Point to = place(c) + step;
-      if (mesh_.faces[c.triangle] == chart && to.x >= box.low.x && to.x <= box.high.x && to.y >= box.low.y &&
-          to.y <= box.high.y)
-        inside = to;
+      if (by_step(c) && to.x >= box.low.x && to.x <= box.high.x && to.y >= box.low.y && to.y <= box.high.y) inside = to;
     }
     if (!inside) return std::nullopt;
     Moved moved{surface.at(*inside), {}};
     for (const Corner& c : around) {
       const std::size_t own = mesh_.faces[c.triangle];
-      moved.places.push_back(own == chart ? place(c) + step : closest(surfaces_[own].surface, moved.at, place(c)).uv);
+      moved.places.push_back(by_step(c) ? place(c) + step : closest(surfaces_[own].surface, moved.at, place(c)).uv);
     }
     return moved;
   }
@@ -233,6 +237,17 @@ class Freeing {
     return std::nullopt;
   }
 
+  /// The cosine of the angle between a triangle and its surface in its middle; 1 where that has no normal.
+  [[nodiscard]] double along_surface(std::size_t chart, const std::array<Point, 3>& places,
+                                     const std::array<Point3, 3>& corners) const {
+    const Point middle = Point{} + ((places[0] - Point{}) + (places[1] - Point{}) + (places[2] - Point{})) / 3.0;
+    const auto own = normal(surfaces_[chart].surface, middle);
+    const Vector3 area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double size = geom::length(area);
+    if (!own || !(size > 0.0)) return 1.0;
+    return (surfaces_[chart].reversed ? -1.0 : 1.0) * dot(*own, area) / size;
+  }
+
   /// The side from corner `side` of a triangle to the next one becomes the other diagonal.
   bool flip(std::size_t first, std::size_t side) {
     const auto other = across(first, side);
@@ -261,6 +276,14 @@ class Freeing {
     if (!(after > before + options_.gain) || dot(cross(qd - qa, qc - qa), normal) <= 0.0 ||
         dot(cross(qb - qd, qc - qd), normal) <= 0.0)
       return false;
+    // Across a slender tip a good triangle may lie through the surface.
+    const std::array<Point, 3> old_one{pa, pb, pc}, old_two{pb, pa, pd};
+    const double turned_before =
+        std::min(along_surface(chart, old_one, {qa, qb, qc}), along_surface(chart, old_two, {qb, qa, qd}));
+    const double turned_after =
+        std::min(along_surface(chart, one, {qa, qd, qc}), along_surface(chart, two, {qd, qb, qc}));
+    constexpr double most_turned = 0.5;  // the cosine of 60 degrees
+    if (turned_after < std::min(turned_before, most_turned)) return false;
     forget(first), forget(second);
     mesh_.triangles[first] = {a, d, c}, mesh_.places[first] = one;
     mesh_.triangles[second] = {d, b, c}, mesh_.places[second] = two;

@@ -31,6 +31,14 @@ class ScaledChart {
     const geom::Point uv = unscaled(p);
     return {std::clamp(uv.x, chart.low.x, chart.high.x), std::clamp(uv.y, chart.low.y, chart.high.y)};
   }
+  /// Whether 3 x 3 places of a part of the scaled chart tell how the surface bends there.
+  [[nodiscard]] bool seen(const geom::Box& part) const {
+    geom::Box of;
+    for (const geom::Point p :
+         {part.low, geom::Point{part.high.x, part.low.y}, geom::Point{part.low.x, part.high.y}, part.high})
+      of.add(held(p));
+    return surface_->seen(of);
+  }
   /// Derivatives by x and y. @param p  in the scaled chart; the nearest place of the chart of the surface is taken.
   [[nodiscard]] Jet jet(geom::Point p) const {
     Jet jet = surface_->jet(held(p));

@@ -4,8 +4,12 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <map>
 #include <queue>
+#include <set>
 #include <vector>
+
+#include "shared/surf/details.h"
 
 namespace dobra::surf::trim {
 
@@ -75,7 +79,8 @@ class Strip {
   }
 
  private:
-  [[nodiscard]] Measured part(double from, double to, double v, int depth) const {
+  /// @param unseen  halvings of parts that were not seen, beside `depth` for the tolerance
+  [[nodiscard]] Measured part(double from, double to, double v, int depth, int unseen = 0) const {
     const double half = 0.5 * (to - from), middle = from + half;
     for (std::size_t i = 0; i < rule_.size(); ++i) uv_[i] = {middle + half * rule_.at[i], v};
     surface_.jets(uv_, jets_);
@@ -87,7 +92,12 @@ class Strip {
     }
     seen_ += rule_.size();
     const Measured alone{half * kronrod, std::abs(half * (kronrod - gauss))};
-    constexpr int deepest = 14;
+    constexpr int deepest = 14, deepest_unseen = 24;
+    if (depth == 0 && unseen < deepest_unseen && !surface_.seen({{std::min(from, to), v}, {std::max(from, to), v}})) {
+      if (seen_ >= most_) return {alone.value, std::abs(alone.value)};
+      const Measured a = part(from, middle, v, 0, unseen + 1), b = part(middle, to, v, 0, unseen + 1);
+      return {a.value + b.value, a.error + b.error};
+    }
     if (!(alone.error > tolerance_ * std::abs(alone.value) + 1e-300) || depth == deepest || seen_ >= most_)
       return alone;
     const Measured a = part(from, middle, v, depth + 1), b = part(middle, to, v, depth + 1);
@@ -130,8 +140,38 @@ void measure_part(const Strip& strip, LoopPart& piece) {
   piece.area = {half * kronrod, piece.along + std::abs(half) * inner};
 }
 
-/// Parameters at which the edge has a break, or passes one of the surface; ends included, in the edge's direction.
-std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge) {
+/// Where along v narrow peaks of the surface begin and end, ascending; of each octave of their heights not more than so
+/// many: those of a ridge are alike.
+std::vector<double> levels_of_details(const TrimmedSurface& face) {
+  constexpr std::size_t most = 24;
+  Box box;
+  for (const ChartLoop& loop : face.loops) {
+    for (const ChartEdge& edge : loop.edges) {
+      for (int i = 0; i <= 8; ++i) box.add(edge.at(std::lerp(edge.from, edge.to, i / 8.0)));
+    }
+  }
+  if (box.empty()) return {};
+  const DetailOptions options;
+  std::map<int, std::set<double>> by_height;
+  for (const Box& part : details_of(face.surface, box, options).parts) {
+    if (part.height() < options.look * face.surface.chart().height())
+      by_height[std::ilogb(part.height())].insert({part.low.y, part.high.y});
+  }
+  std::set<double> kept;
+  for (const auto& [octave, levels] : by_height) {
+    const std::size_t step = (levels.size() + most - 1) / most;
+    std::size_t i = 0;
+    for (const double level : levels) {
+      if (i++ % step == 0) kept.insert(level);
+    }
+    kept.insert(*levels.rbegin());
+  }
+  return {kept.begin(), kept.end()};
+}
+
+/// Parameters at which the edge has a break, or passes one of the surface or a level of v; ends included, in the edge's
+/// direction.
+std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge, const std::vector<double>& levels) {
   const double low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
   std::vector<double> cuts{low};
   for (const double at : edge.curve.breaks()) {
@@ -156,6 +196,7 @@ std::vector<double> part_cuts_of(const Surface& surface, const ChartEdge& edge) 
       const double b = std::lerp(cuts[i - 1], cuts[i], (k + 1.0) / places);
       for (const double u : surface.breaks().u) passes(a, b, u, true);
       for (const double v : surface.breaks().v) passes(a, b, v, false);
+      for (const double v : levels) passes(a, b, v, false);
     }
   }
   cuts.insert(cuts.end(), more.begin(), more.end());
@@ -183,14 +224,14 @@ double area_of_loop_box(const TrimmedSurface& face) {
   return box.empty() ? 0.0 : sum / (places * places) * box.width() * box.height();
 }
 
-}  // namespace
-
-Measured area(const TrimmedSurface& face, double tolerance) {
+/// @param spent  whether more places were wanted than are looked at
+Measured area_within(const TrimmedSurface& face, double tolerance, bool& spent) {
   constexpr std::size_t most_in_strips = 3'000'000, most_places = 6'000'000;
   std::vector<LoopPart> parts;
+  const std::vector<double> levels = levels_of_details(face);
   for (const ChartLoop& loop : face.loops) {
     for (const ChartEdge& edge : loop.edges) {
-      const std::vector<double> cuts = part_cuts_of(face.surface, edge);
+      const std::vector<double> cuts = part_cuts_of(face.surface, edge, levels);
       for (std::size_t i = 1; i < cuts.size(); ++i) parts.push_back({&edge, cuts[i - 1], cuts[i], {}, 0.0, 0});
     }
   }
@@ -224,7 +265,48 @@ Measured area(const TrimmedSurface& face, double tolerance) {
     add({worst.edge, worst.from, middle, {}, 0.0, worst.depth + 1});
     add({worst.edge, middle, worst.to, {}, 0.0, worst.depth + 1});
   }
+  spent = strip.seen() >= most_in_strips;
   return sum;
+}
+
+/// Whether the loops are the border of the chart, anticlockwise, and nothing else.
+bool is_whole_chart(const TrimmedSurface& face) {
+  if (face.loops.size() != 1) return false;
+  const Box& chart = face.surface.chart();
+  constexpr double beside = 1e-12, full = 1.0 - 1e-9;
+  constexpr int places = 8;
+  const double u = beside * chart.width(), v = beside * chart.height();
+  double twice = 0.0;
+  for (const ChartEdge& edge : face.loops[0].edges) {
+    Point before = edge.at(edge.from);
+    for (int i = 1; i <= places; ++i) {
+      const Point here = edge.at(std::lerp(edge.from, edge.to, static_cast<double>(i) / places));
+      const bool on_side = std::abs(here.x - chart.low.x) <= u || std::abs(here.x - chart.high.x) <= u ||
+                           std::abs(here.y - chart.low.y) <= v || std::abs(here.y - chart.high.y) <= v;
+      if (!on_side) return false;
+      twice += cross(before - chart.low, here - chart.low);
+      before = here;
+    }
+  }
+  return 0.5 * twice >= full * chart.width() * chart.height();
+}
+
+}  // namespace
+
+Measured area(const TrimmedSurface& face, double tolerance) {
+  // Of a graph that bends closely cells are better than strips.
+  if (is_whole_chart(face) && !face.surface.seen(face.surface.chart())) return surf::area(face.surface, tolerance);
+  // What is left when the places are spent is of one rule alone: less is asked everywhere rather.
+  constexpr double coarser = 100.0, coarsest = 1e-3, enough = 1e-5;
+  bool spent = false;
+  Measured best = area_within(face, tolerance, spent);
+  for (double asked = coarser * tolerance;
+       spent && asked <= coarsest && !(best.error <= std::max(enough, asked) * std::abs(best.value));
+       asked *= coarser) {
+    const Measured next = area_within(face, asked, spent);
+    if (next.error < best.error || !std::isfinite(best.error)) best = next;
+  }
+  return best;
 }
 
 }  // namespace dobra::surf::trim

@@ -143,22 +143,6 @@ ChartEdge along_crack(ChartEdge edge) {
 base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   const Surface surface = face.surface;
   const Box& chart = surface.chart();
-  Rings rings(face.loops);
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    if (lies_on_side(chart, pole, rings.edge(i))) rings.take_out(i);
-  }
-  for (const auto& [i, k] : seams_in(surface, rings)) {
-    if (rings.edge(i).crack != ChartEdge::Crack::None) {
-      face.lines.push_back({{along_crack(rings.edge(i))}, ChartLine::Kind::Crack});
-      face.lines.back().edges[0].shared.reset();
-    } else if (const std::string name = drawn_along(rings.edge(i), rings.edge(k)); !name.empty()) {
-      face.lines.push_back({{rings.edge(i)}, ChartLine::Kind::Constraint});
-      face.lines.back().edges[0].name = name;
-      face.lines.back().edges[0].shared.reset();
-    }
-    rings.sew(i, k);
-  }
-  face.loops = rings.loops();
   const bool along_u = runs_along_u(pole);
   double reach = 0.0;
   for (const std::vector<Point>& ring : rings_of(face)) {
@@ -169,6 +153,28 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   }
   constexpr double room = 1.02;  // for what curves bulge between the points looked at
   DOBRA_TRY(const PolarChart polar, polar_chart(surface, pole, std::min(1.0, room * reach)));
+  Rings rings(face.loops);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (lies_on_side(chart, pole, rings.edge(i))) rings.take_out(i);
+  }
+  for (const auto& [i, k] : seams_in(surface, rings)) {
+    const bool crack = rings.edge(i).crack != ChartEdge::Crack::None;
+    const std::string name = drawn_along(rings.edge(i), rings.edge(k));
+    if (polar.seam) {
+      if (!crack) rings.edge(i).name = rings.edge(k).name = name.empty() ? artificial_border : name;
+      continue;
+    }
+    if (crack) {
+      face.lines.push_back({{along_crack(rings.edge(i))}, ChartLine::Kind::Crack});
+      face.lines.back().edges[0].shared.reset();
+    } else if (!name.empty()) {
+      face.lines.push_back({{rings.edge(i)}, ChartLine::Kind::Constraint});
+      face.lines.back().edges[0].name = name;
+      face.lines.back().edges[0].shared.reset();
+    }
+    rings.sew(i, k);
+  }
+  face.loops = rings.loops();
   const auto map_all = [&](std::vector<ChartEdge>& edges) {
     for (ChartEdge& edge : edges) edge.curve = polar.mapped(edge.curve);
   };
@@ -178,7 +184,8 @@ base::Result<Opened> in_polar_chart(TrimmedSurface face, Side pole) {
   for (ChartRegion& region : face.regions) region.at = polar.forward(region.at);
   face.surface = polar.surface;
   const Box round = face.surface.chart();
-  if (has_tip(face.surface, {0, 0}, 0.5 * round.width()) && contains(face, {0, 0})) face.points.push_back({{0, 0}});
+  if (!polar.seam && has_tip(face.surface, {0, 0}, 0.5 * round.width()) && contains(face, {0, 0}))
+    face.points.push_back({{0, 0}});
   std::stable_sort(face.loops.begin(), face.loops.end(), [&](const ChartLoop& a, const ChartLoop& b) {
     const auto area = [](const ChartLoop& loop) {
       std::vector<Point> ring;

@@ -39,6 +39,8 @@ struct PolarChart {
   std::function<Curve(const Curve&)> mapped;  ///< A curve of the old chart in the new one.
   double angle = 0.0;                         ///< Of the sector; 2 pi: a disk.
   double radius = 0.0;
+  /// The turn closes, but round so slender a tip that it is a sector: of the disk chords would pass over each other.
+  bool seam = false;
 };
 /// @param reach  how far from the pole, by part of the range across the side, the chart is asked for
 /// @pre the side is one point, the opposite one is not within reach
@@ -47,7 +49,8 @@ base::Result<PolarChart> polar_chart(const Surface& surface, Side pole, double r
 
 /// The face as it is, if it touches no pole; in a polar chart if one; cut in two of them if two opposite ones, at the
 /// middle or, where lines run along there, end or turn back, beside it. Edges along poles vanish, both sides of a seam
-/// too where the turn closes. Those that the cut divides get numbers of their own, if they had one.
+/// too where the turn closes round a pole that is no slender tip. Those that the cut divides get numbers of their own,
+/// if they had one.
 /// @error NotSupported: a face that touches poles on sides that meet, with the place; those of recognise
 base::Result<std::vector<Opened>> open(const TrimmedSurface& face, SharedNumbers& numbers,
                                        const RecogniseOptions& options = {});

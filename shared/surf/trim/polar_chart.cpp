@@ -29,15 +29,27 @@ struct Polar {
   double per_b = 1.0;   ///< Radius by b.
   double half = pi;     ///< Half of the angle of the sector.
   double radius = 1.0;  ///< Nothing is asked for beyond.
+  bool seam = false;    ///< Beyond either side of the sector the surface goes round.
 
   [[nodiscard]] Point chart(double a, double b) const { return along_u ? Point{a, b} : Point{b, a}; }
   [[nodiscard]] double a_of(double angle) const {
+    if (seam) return a_middle + sense_a * angle / per_a;
     return std::clamp(a_middle + sense_a * std::clamp(angle, -half, half) / per_a, a_low, a_high);
   }
   [[nodiscard]] double b_of(double r) const { return b_pole + sense_b * std::min(r, radius) / per_b; }
   [[nodiscard]] Point back(Point p) const {
     const double r = std::hypot(p.x, p.y);
     return r > 0.0 ? chart(a_of(std::atan2(p.y, p.x)), b_of(r)) : chart(a_middle, b_pole);
+  }
+  /// The same within the chart of the surface.
+  [[nodiscard]] double within(double a) const {
+    const double turn = a_high - a_low;
+    return std::clamp(seam ? a - std::floor((a - a_low) / turn) * turn : a, a_low, a_high);
+  }
+  [[nodiscard]] Point held(Point p) const {
+    Point at = back(p);
+    (along_u ? at.x : at.y) = within(along_u ? at.x : at.y);
+    return at;
   }
   [[nodiscard]] Point forward(Point uv) const {
     const double angle = sense_a * per_a * ((along_u ? uv.x : uv.y) - a_middle);
@@ -67,7 +79,7 @@ struct PolarShape : Surface::Shape {
   [[nodiscard]] Jet jet(Point p) const {
     const double r = std::hypot(p.x, p.y);
     if (r <= 1e-6 * polar.radius) return at_pole(r > 0.0 ? std::atan2(p.y, p.x) : 0.0, r);
-    const Jet from = surface.jet(polar.back(p));
+    const Jet from = surface.jet(polar.held(p));
     const AlongAcross s = along_across(polar, from);
     const double ka = polar.sense_a / polar.per_a, kb = polar.sense_b / polar.per_b, r2 = r * r;
     const double c = p.x / r, d = p.y / r;
@@ -102,7 +114,7 @@ struct PolarShape : Surface::Shape {
 
  private:
   [[nodiscard]] Jet at_pole(double angle, double r) const {
-    const double a = polar.a_of(angle);
+    const double a = polar.within(polar.a_of(angle));
     const AlongAcross s = along_across(polar, surface.jet(polar.chart(a, polar.b_pole)));
     const double ka = polar.sense_a / polar.per_a, kb = polar.sense_b / polar.per_b;
     const Vector3 out = kb * s.b, round = ka * kb * s.ab;
@@ -199,8 +211,11 @@ base::Result<PolarChart> polar_chart(const Surface& surface, Side pole, double r
     speed += geom::length(ways[i]) / static_cast<double>(ways.size());
     if (i > 0) angle += std::atan2(geom::length(cross(ways[i - 1], ways[i])), dot(ways[i - 1], ways[i]));
   }
-  const bool closes = polar.along_u ? surface.closed_u() : surface.closed_v();
+  const bool round = polar.along_u ? surface.closed_u() : surface.closed_v();
+  constexpr double slender = 0.4 * pi;  // of a cone whose sides are 11.5 degrees from its axis
+  const bool closes = round && angle >= slender;
   constexpr double least = 0.05, most = 11.0 / 6.0 * pi;  // apart enough that both sides of a sector do not meet
+  polar.seam = round && !closes;
   polar.half = closes ? pi : 0.5 * std::clamp(angle, least, most);
   polar.per_a = 2.0 * polar.half / (polar.a_high - polar.a_low);
   polar.per_b = speed;
@@ -215,7 +230,8 @@ base::Result<PolarChart> polar_chart(const Surface& surface, Side pole, double r
                       return Curve::of(std::make_shared<const MappedShape>(curve, polar), curve.breaks());
                     },
                     2.0 * polar.half,
-                    polar.radius};
+                    polar.radius,
+                    polar.seam};
 }
 
 geom::Vector chart_lengths(const Surface& surface) {

@@ -129,6 +129,18 @@ TEST(SeamCracks, OfASphereThroughAPoleOpens) {
   is_slit(made(ball + crack("[[0, 70], [0, -50]]"), 0.2), at(70), at(-50), 2 * 120 * pi / 180, 1, 1, 2e-3);
 }
 
+TEST(SeamCracks, OfAConeOpens) {
+  // The apex at the origin; 10 along the side. A slender one keeps its seam where its chart goes round the apex.
+  for (const double half_angle : {5.0, 30.0}) {
+    const double a = half_angle * pi / 180;
+    const auto at = [&](double v) { return Point3{v * std::sin(a), 0.0, v * std::cos(a)}; };
+    is_slit(made("[[input.surface]]\nname = \"c\"\nkind = \"cone\"\nradius = 0\nhalf_angle = " +
+                     std::to_string(half_angle) + "\nv = [0, 10]\n" + crack("[[0, 4], [0, 7]]"),
+                 half_angle < 10 ? 0.3 : 0.6),
+            at(4), at(7), 3.0, 2, 0);
+  }
+}
+
 TEST(SeamCracks, OfATorusOpenBothWays) {
   const std::string ring = "[[input.surface]]\nname = \"ring\"\nkind = \"torus\"\nradius = 5\nminor_radius = 2\n";
   const auto at = [](double u, double v) {
