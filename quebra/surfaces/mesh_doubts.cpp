@@ -91,6 +91,19 @@ void doubt_nodes(model::SurfaceMeshed& meshed) {
 
 }  // namespace
 
+void doubt_area(const surf::trim::TrimmedSurface& face, const surf::Measured& area,
+                std::vector<surf::mesh::Finding>& findings) {
+  constexpr double unsure = 1e-3;
+  if (area.error <= unsure * std::abs(area.value)) return;
+  findings.push_back(
+      {"area_unsure",
+       fmt::format("the area of the surface, {:.6g} m2, may be off by {:.2g} m2: it bends too closely for "
+                   "the places that are looked at",
+                   area.value, area.error),
+       face.place});
+  if (findings.back().place.item.empty()) findings.back().place.item = face.name;
+}
+
 void doubt_triangles(model::SurfaceMeshed& meshed, const model::SurfaceSet& set, std::span<const std::size_t> owner,
                      std::span<const double> areas) {
   constexpr double off = 0.01, flat = 0.1;

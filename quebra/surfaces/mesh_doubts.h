@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "quebra/model/surface_meshed.h"
+#include "shared/surf/measure.h"
 
 namespace quebra::surfaces {
+
+/// An area of a surface that quadrature may have wrong by more than a thousandth.
+void doubt_area(const dobra::surf::trim::TrimmedSurface& face, const dobra::surf::Measured& area,
+                std::vector<dobra::surf::mesh::Finding>& findings);
 
 /// An area off that of the surfaces, a flat triangle, parts that hang together in a node.
 /// @param owner  of which face of the set each surface of the mesh is

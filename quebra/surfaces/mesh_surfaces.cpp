@@ -164,8 +164,11 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   std::optional<WantedSize> wanted;
   DOBRA_TRY_VOID(check_sizes(set, charts, options, wanted, progress));
   std::vector<double> areas;
+  std::vector<surf::mesh::Finding> unsure;
   for (const auto& face : set.faces) {
-    areas.push_back(surf::trim::area(face).value);
+    const surf::Measured area = surf::trim::area(face);
+    doubt_area(face, area, unsure);
+    areas.push_back(area.value);
     meshed.area_surface += areas.back();
   }
   done("area");
@@ -175,6 +178,7 @@ Result<model::SurfaceMeshed> mesh_surfaces(const model::SurfaceSet& set, const S
   if (!division_made) return division_made.error();
   const Division& division = *division_made;
   meshed.findings = division.findings;
+  meshed.findings.insert(meshed.findings.end(), unsure.begin(), unsure.end());
   done("divide");
   std::vector<FaceMesh> faces;
   for (std::size_t f = 0; f < division.faces.size(); ++f) {

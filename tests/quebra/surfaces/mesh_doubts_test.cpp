@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "quebra/surfaces/mesh_doubts.h"
 #include "quebra/surfaces/mesh_surfaces.h"
 #include "tests/support/surface_scenarios.h"
 
@@ -40,6 +41,17 @@ TEST(MeshDoubts, HolesThatTouchAreTold) {
   EXPECT_THAT(doubts(plate + hole("a", 3, 1) + hole("b", 5, 1), half), Contains("hangs_on_node"));
   EXPECT_THAT(doubts(plate + hole("a", 3, 1) + hole("b", 5.5, 1), half), Not(Contains("hangs_on_node")));
   EXPECT_THAT(doubts(plate + hole("a", 1, 1), half), Contains("hangs_on_node"));  // the border
+}
+
+TEST(MeshDoubts, AnAreaThatMayBeOffIsTold) {
+  const surf::trim::TrimmedSurface face{.surface = *surf::Surface::plane({}, {{0, 0}, {2, 1}}), .name = "a"};
+  std::vector<surf::mesh::Finding> findings;
+  doubt_area(face, {2.0, 1e-3}, findings);
+  EXPECT_THAT(findings, IsEmpty());
+  doubt_area(face, {2.0, 0.01}, findings);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "area_unsure");
+  EXPECT_EQ(findings[0].place.item, "a");
 }
 
 TEST(MeshDoubts, AnApexIsOneFan) {
