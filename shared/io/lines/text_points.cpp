@@ -304,7 +304,10 @@ class TextPointsReader {
     points_.remarks.push_back(told(words, file_));
   }
 
-  Result<double> number(std::size_t column, std::string_view what) const {
+  /// @param role  what the number is where no header calls it otherwise
+  Result<double> number(std::size_t column, std::string_view role) const {
+    const bool has_word = has_header_ && column <= points_.header.size() && !points_.header[column - 1].empty();
+    const std::string what = has_word ? points_.header[column - 1] : std::string(role);
     const Place at{.file = file_,
                    .line = lines_.number(),
                    .column = column <= fields_.size() ? fields_[column - 1].column : lines_.line().size() + 1};

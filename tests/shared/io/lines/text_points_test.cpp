@@ -119,6 +119,7 @@ TEST(TextPoints, BadTextIsRefusedWithItsPlace) {
       {"0;1\n2;\n", ErrorCode::BadFormat, "f:2:3", "y is missing"},
       {"1,5;2,5\n1,6.2;2,6\n", ErrorCode::BadFormat, "f:2:1", "write '.' as the decimal sign"},
       {"x y\na b\n", ErrorCode::BadFormat, "f:2:1", "x 'a' is not a number"},
+      {"x z\n1 2\n1 b\n", ErrorCode::BadFormat, "f:3:3", "z 'b' is not a number"},
       {"0 1\n2 \x01\x02\n", ErrorCode::BadFormat, "f:2:3",
        "'?"
        "?'"},
