@@ -150,6 +150,7 @@ void add_wheel(const ChartInput& given, std::size_t tip, double radius, const Si
 std::vector<std::array<std::size_t, 2>> ends_of_seams(const ChartInput& input) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::array<std::size_t, 2>> ends(input.chart.points.size(), {none, none});
+  if (input.node.size() != ends.size()) return ends;  // a chart alone
   std::vector<std::size_t> count(ends.size(), 0);
   for (const auto& edge : input.chart.edges) {
     for (std::size_t i = 0; i < 2; ++i) {

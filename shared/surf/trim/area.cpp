@@ -294,14 +294,15 @@ bool is_whole_chart(const TrimmedSurface& face) {
 }  // namespace
 
 Measured area(const TrimmedSurface& face, double tolerance) {
+  const bool plain = face.surface.seen(face.surface.chart());
   // Of a graph that bends closely cells are better than strips.
-  if (is_whole_chart(face) && !face.surface.seen(face.surface.chart())) return surf::area(face.surface, tolerance);
+  if (!plain && is_whole_chart(face)) return surf::area(face.surface, tolerance);
   // What is left when the places are spent is of one rule alone: less is asked everywhere rather.
   constexpr double coarser = 100.0, coarsest = 1e-3, enough = 1e-5;
   bool spent = false;
   Measured best = area_within(face, tolerance, spent);
   for (double asked = coarser * tolerance;
-       spent && asked <= coarsest && !(best.error <= std::max(enough, asked) * std::abs(best.value));
+       !plain && spent && asked <= coarsest && !(best.error <= std::max(enough, asked) * std::abs(best.value));
        asked *= coarser) {
     const Measured next = area_within(face, asked, spent);
     if (next.error < best.error || !std::isfinite(best.error)) best = next;
