@@ -62,8 +62,9 @@ TEST(MeshDoubts, AnApexIsOneFan) {
 
 TEST(MeshDoubts, ElementsThatTheirBentSidesFoldAreTold) {
   const std::string ring = "[[input.surface]]\nname = \"c\"\nkind = \"torus\"\nradius = 5\nminor_radius = 2\n";
+  const std::string thin = "[[input.surface]]\nname = \"c\"\nkind = \"torus\"\nradius = 5\nminor_radius = 0.5\n";
   SurfaceMeshOptions options{.sizes = {.largest = 50, .turn = 90}, .second_order = true};
-  EXPECT_THAT(doubts(ring, options), Contains("against_surface"));
+  EXPECT_THAT(doubts(thin, options), Contains("against_surface"));
   options.sizes.turn = 30;
   EXPECT_THAT(doubts(ring, options), Not(Contains("against_surface")));
   options.sizes.turn = 20;
