@@ -373,11 +373,13 @@ base::Result<void> check_ways(const std::vector<TrimmedSurface>& faces) {
     base::Place place = second.place;
     const Point3 p = first.surface.at(members[0].edge->at(std::midpoint(members[0].edge->from, members[0].edge->to)));
     place.x = p.x, place.y = p.y, place.z = p.z;
-    return base::Error{base::ErrorCode::CannotMesh,
-                       fmt::format("surfaces '{}' and '{}' meet at a border and look opposite ways: give one of them "
-                                   "facing = \"{}\"",
-                                   first.name, second.name, second.reversed ? "along" : "against"),
-                       place};
+    return base::Error{
+        base::ErrorCode::CannotMesh,
+        fmt::format(
+            "surfaces '{}' and '{}' meet at a border and look opposite ways, or lie on each other: give one of them "
+            "facing = \"{}\"",
+            first.name, second.name, second.reversed ? "along" : "against"),
+        place};
   }
   return {};
 }

@@ -17,6 +17,8 @@
 #include "shared/geom/box3.h"
 #include "shared/solid/contacts.h"
 #include "shared/surf/closest.h"
+#include "shared/surf/measure.h"
+#include "shared/surf/trim/open.h"
 
 namespace quebra::surfaces {
 
@@ -30,6 +32,7 @@ struct Triangle {
   std::array<geom::Point3, 3> at;
   std::array<geom::Point, 3> places;
   const surf::Surface* surface = nullptr;
+  const surf::trim::TrimmedSurface* face = nullptr;
 
   [[nodiscard]] geom::Vector3 normal() const {
     const geom::Vector3 n = cross(at[1] - at[0], at[2] - at[0]);
@@ -113,6 +116,25 @@ std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, 
   return middle;
 }
 
+/// Whether the surface over a triangle has places on both sides of the other one's, farther off than the tolerance and
+/// over its face.
+bool passes(const Triangle& own, const Triangle& other, double tolerance) {
+  constexpr int parts = 6;
+  bool above = false, below = false;
+  for (int i = 0; i <= parts; ++i) {
+    for (int j = 0; i + j <= parts; ++j) {
+      const double b = i / double{parts}, c = j / double{parts};
+      const geom::Point3 p = own.surface->at(own.place({1.0 - b - c, b, c}));
+      const surf::Foot foot = closest(*other.surface, p, other.place(other.weights(p)));
+      if (foot.distance <= tolerance) continue;
+      const auto normal = surf::normal(*other.surface, foot.uv);
+      if (!normal || !contains(*other.face, foot.uv)) continue;
+      (dot(p - foot.at, *normal) > 0.0 ? above : below) = true;
+    }
+  }
+  return above && below;
+}
+
 struct Pairs {
   std::map<std::pair<std::size_t, std::size_t>, geom::Point3> crossing, overlapping;
 };
@@ -153,11 +175,13 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
   const double tolerance = 1e-6 * box.diagonal();
   const auto triangle = [&](std::uint32_t facet) {
     const std::uint32_t t = soup.facets[facet].name;
-    Triangle made{.at = {}, .places = mesh.places[t], .surface = &charts[mesh.faces[t]].surface};
+    Triangle made{
+        .at = {}, .places = mesh.places[t], .surface = &charts[mesh.faces[t]].surface, .face = &charts[mesh.faces[t]]};
     for (std::size_t i = 0; i < 3; ++i) made.at[i] = mesh.point(mesh.triangles[t][i]);
     return made;
   };
   Pairs found;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> looks;
   const auto judge = [&](std::uint32_t f, std::uint32_t g, std::optional<geom::Point3> met) {
     const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[soup.facets[facet].name]]; };
     const std::pair faces = std::minmax({face(f), face(g)});
@@ -165,7 +189,11 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
     const Triangle a = triangle(f), b = triangle(g);
     if (met && !found.crossing.contains(faces)) {
       const double depth = std::min(a.depth(b), b.depth(a));
-      if (depth > tolerance && depth > 2.0 * (a.off() + b.off())) found.crossing.emplace(faces, *met);
+      constexpr std::size_t most_looks = 300;  // where faces only touch there are many
+      const double off = 2.0 * (a.off() + b.off());
+      if (depth > tolerance &&
+          (depth > off || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance)))))
+        found.crossing.emplace(faces, *met);
     }
     if (found.overlapping.contains(faces)) return;
     if (const auto place = overlap(a, b, tolerance)) found.overlapping.emplace(faces, *place);

@@ -9,8 +9,9 @@
 namespace quebra::surfaces {
 
 /// Tells "surfaces_cross" and "surfaces_overlap": how many pairs of faces, and the first with both names and a place.
-/// Two faces cross where triangles of theirs do, exactly, and deeper than these are off their surfaces: faces that only
-/// touch, such as pipes laid against each other, do not. They overlap where triangles lie over each other and their
+/// Two faces cross where triangles of theirs do, exactly, and deeper than these are off their surfaces, or where the
+/// surface over one of them has places on both sides of the other: faces that only touch, such as pipes laid against
+/// each other, do not. They overlap where triangles lie over each other and their
 /// surfaces, at three places of what both cover, are nearer than a millionth of the diagonal of all.
 /// @param charts  the surfaces of the mesh; owner: of which face of the set each of them is
 /// @cost  O((n + pairs of triangles of two faces whose boxes overlap) log n)

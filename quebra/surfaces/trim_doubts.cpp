@@ -141,7 +141,8 @@ class Doubts {
     for (const Point end : {trim.places.front(), trim.places.back()}) {
       if (meets_another(end, trim.name)) continue;
       const Near near = nearest(end, trim.name);
-      if (near.distance >= options_.shy * surface_.size()) continue;
+      constexpr double rounding = 1e-12;  // what is one place in space may be two in the chart, as beside a pole
+      if (near.distance >= options_.shy * surface_.size() || near.distance <= rounding * surface_.size()) continue;
       if (near.name.empty()) {
         say("line_short",
             fmt::format("'{}' ends {:.3g} m from the border and does not meet it: end it there, or farther off",

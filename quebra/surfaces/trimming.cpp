@@ -15,6 +15,7 @@
 #include "shared/geom/spatial_index.h"
 #include "shared/surf/closest.h"
 #include "shared/surf/measure.h"
+#include "shared/surf/trim/chart_curves.h"
 #include "shared/surf/trim/common_edges.h"
 
 namespace quebra::surfaces {
@@ -471,7 +472,8 @@ Result<TrimmedSurface> Trimming::face(surf::trim::SharedNumbers& numbers, std::v
     const Error told = as_written({ErrorCode::BadDomain, doubt.message, doubt.place});
     findings.push_back({doubt.code, doubt.message, *told.place});
   }
-  for (const ChartPoint& point : points) {
+  for (ChartPoint& point : points) {
+    point.at = surf::trim::in_period(surface_, point.at);
     const auto at = recognised->pick(point.at);
     if (at && std::find(wanted.begin(), wanted.end(), *at) == wanted.end())
       return refused(fmt::format("point '{}' lies outside what is left of the surface", point.name), point.at);

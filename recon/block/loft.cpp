@@ -163,7 +163,14 @@ Result<Block> loft(std::span<const LoftedSection> sections) {
   }
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   const auto parts = dobra::solid::shape::loft_sections(lines);
-  if (!parts) return on_map(parts.error(), block, all);
+  if (!parts) {
+    Error error = on_map(parts.error(), block, all);
+    // Units that run together at an open end are not those of the other section.
+    const auto open = std::find_if(block.findings.begin(), block.findings.end(),
+                                   [](const base::Finding& finding) { return finding.code == "open_end"; });
+    if (open != block.findings.end()) error.message = fmt::format("{}; {}", error.message, open->message);
+    return error;
+  }
   Shape whole;
   std::vector<dobra::solid::Solid> solids;
   for (std::size_t u = 0; u < maps[0].units.size(); ++u) {

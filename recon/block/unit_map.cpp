@@ -66,8 +66,7 @@ std::string whole_unit_name(const section::Section& section, const section::Rock
                                : unit.name;
 }
 
-/// Ends of horizons that rounding left beside their fault: there the units above and below run together. Those farther
-/// off are told when the section is read.
+/// Ends of horizons that rounding or drawing left beside their fault: there the units above and below run together.
 void tell_rounded_ends(const section::Section& section, UnitMap& map) {
   const Subdivision& sub = map.arrangement.subdivision();
   std::map<std::pair<double, double>, topo::VertexId> loose;
@@ -75,6 +74,8 @@ void tell_rounded_ends(const section::Section& section, UnitMap& map) {
     if (sub.degree(v) == 1) loose[{sub.point(v).x, sub.point(v).y}] = v;
   }
   const double near = rounding_of_files(section);
+  constexpr double beside = 0.01;  // of the section: what is farther off was drawn so
+  const double far = beside * box_of(section).diagonal();
   for (const section::Horizon& horizon : section.horizons) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       const geom::Point p = end == section::LineEnd::First ? horizon.line.points.front() : horizon.line.points.back();
@@ -84,7 +85,7 @@ void tell_rounded_ends(const section::Section& section, UnitMap& map) {
       if (sub.degree(next) > 2 && geom::distance(sub.point(next), p) <= near) continue;  // it goes on past the fault
       for (const section::SectionLine& line : section.lines) {
         const double gap = geom::distance(line.line, p);
-        if (line.kind != section::LineKind::Fault || gap > near) continue;
+        if (line.kind != section::LineKind::Fault || gap > far) continue;
         map.findings.push_back(
             {"open_end",
              fmt::format("horizon '{}' ends {:.4g} m beside fault '{}', so that the units above and below it run "

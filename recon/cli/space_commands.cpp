@@ -26,11 +26,24 @@ using base::Result;
 using dobra::cli::Job;
 using dobra::cli::Session;
 
+/// What the cut of several sections goes through.
+enum class CutThrough : std::uint8_t { Surfaces, Block };
+struct ThroughParams {
+  CutThrough through = CutThrough::Surfaces;
+  template <class D>
+  static void describe(D& d) {
+    d.choice("through", &ThroughParams::through, {"surfaces", "block"},
+             {.title = "Cut through",
+              .help = "Of several sections: smooth surfaces through equally named lines, or the block of their units, "
+                      "straight from section to section."});
+  }
+};
+
 struct SpaceOptions {
   std::string file;
   dobra::cli::ParameterOptions surface{dobra::cli::OutOfRange::BadUsage};
   dobra::cli::ParameterOptions cut{dobra::cli::OutOfRange::BadUsage}, block{dobra::cli::OutOfRange::BadUsage};
-  std::string through = "surfaces";
+  dobra::cli::OptionsOf<ThroughParams> through{dobra::cli::OutOfRange::BadUsage};
   std::optional<std::filesystem::path> out;
 };
 
@@ -126,7 +139,8 @@ Result<int> cut_job(Session& session, const SpaceOptions& options) {
   if (options.block.any())
     return base::Error{base::ErrorCode::BadUsage,
                        "--along-strike is for a document of one section; this one has several in space"};
-  if (options.through == "block") return cut_whole_block(session, options);
+  DOBRA_TRY(const ThroughParams cut, options.through.read());
+  if (cut.through == CutThrough::Block) return cut_whole_block(session, options);
   return cut_surfaces(session, options);
 }
 
@@ -147,11 +161,7 @@ dobra::cli::Command cut_command() {
             add_space(app, *options);
             options->cut.add(app, scenario::fields_of<space::CutParams>());
             options->block.add(app, scenario::fields_of<input::SectionInput>(), {"along_strike"});
-            app.add_option("--through", options->through,
-                           "Of [[input.section]]: surfaces (smooth, through equally named lines) or block (its units, "
-                           "straight from section to section)")
-                ->check(CLI::IsMember({"surfaces", "block"}))
-                ->capture_default_str();
+            options->through.add(app);
             add_out(app, options->out, "lines of the new section");
             return [options](Session& session) { return with_refusal(session, cut_job(session, *options)); };
           }};

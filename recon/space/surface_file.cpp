@@ -8,9 +8,9 @@
 #include <cctype>
 
 #include "shared/io/file.h"
+#include "shared/io/formats/boundary_file.h"
 #include "shared/io/formats/format.h"
 #include "shared/io/formats/mesh_file.h"
-#include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/tsurf.h"
 #include "shared/io/meshes/vtp.h"
 #include "shared/surf/loft/joined.h"
@@ -94,8 +94,8 @@ Result<void> write_elements(const std::string& path, const AllFaces& all) {
   return io::formats::write_mesh(path, elements, io::meshes::InpElement::Shell, heights);
 }
 
-/// In groups by name; blanks part the names of groups.
-std::string obj_text(const AllFaces& all) {
+/// The group of each face; blanks would part their names.
+std::vector<std::string> groups_of(const AllFaces& all) {
   std::vector<std::string> groups;
   for (const std::size_t surface : all.surface) {
     std::string name = all.names[surface];
@@ -103,7 +103,7 @@ std::string obj_text(const AllFaces& all) {
         name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) != 0; }, '_');
     groups.push_back(std::move(name));
   }
-  return io::meshes::polygons_text(all.mesh, io::meshes::PolygonFormat::Obj, groups);
+  return groups;
 }
 
 bool is_format(const std::string& path, std::string_view name) {
@@ -135,7 +135,7 @@ Result<void> write_surfaces(const std::string& path, const MadeSurfaces& surface
     return io::write_text(path, io::meshes::tsurfs_text(named));
   }
   const AllFaces all = all_faces(surfaces);
-  if (is_format(path, "obj")) return io::write_text(path, obj_text(all));
+  if (is_format(path, "obj")) return io::formats::write_boundary(path, all.mesh, groups_of(all));
   if (io::ending_of(path) != polygons_of_vtk) return write_elements(path, all);
   DOBRA_TRY(const std::string text, io::meshes::vtp_text(all.mesh, all.fields));
   return io::write_text(path, text);

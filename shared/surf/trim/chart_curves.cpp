@@ -65,6 +65,15 @@ ChartEdge with_ends(const ChartEdge& edge, const geom::Box& chart, Point start, 
   return made;
 }
 
+geom::Point in_period(const Surface& surface, geom::Point uv) {
+  const geom::Box& chart = surface.chart();
+  const auto shifted = [](bool closed, double at, double low, double high) {
+    return closed && (at < low || at > high) ? at - std::floor((at - low) / (high - low)) * (high - low) : at;
+  };
+  return {shifted(surface.closed_u(), uv.x, chart.low.x, chart.high.x),
+          shifted(surface.closed_v(), uv.y, chart.low.y, chart.high.y)};
+}
+
 ChartEdge straight(Point from, Point to, const std::string& name) {
   return {.curve = *Curve::line({from.x, from.y, 0.0}, {to.x, to.y, 0.0}), .name = name};
 }

@@ -16,6 +16,9 @@ Curve with_ends(const Curve& curve, double from, double to, geom::Point start, g
 /// @param rounding  part of the chart's ranges
 ChartEdge with_ends(const ChartEdge& edge, const geom::Box& chart, geom::Point start, geom::Point end, double rounding);
 
+/// The same place of a closed surface by whole periods, in its chart; elsewhere it stays.
+geom::Point in_period(const Surface& surface, geom::Point uv);
+
 /// A straight edge. @pre the points differ
 ChartEdge straight(geom::Point from, geom::Point to, const std::string& name = {});
 

@@ -144,6 +144,16 @@ TEST(CrossingDoubts, PipesThatCrossAreTold) {
   EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0) + pipe("b", 1.0, 1.5, 0.0), 0.3), ElementsAre("surfaces_cross"));
 }
 
+/// Less deep than the triangles are off the pipe and the ball.
+TEST(CrossingDoubts, PipesAndBallsThatArePressedIntoAPlateAreTold) {
+  for (const double by : {0.005, 0.01, 0.02}) {
+    EXPECT_THAT(codes(plate + pipe("pressed", 2.0, 5.0, 2.0 - by), 1.0, 15.0), ElementsAre("surfaces_cross")) << by;
+    EXPECT_THAT(codes(plate + pipe("pressed", 2.0, 5.0, 2.0 - by), 0.5, 10.0), ElementsAre("surfaces_cross")) << by;
+  }
+  EXPECT_THAT(codes(plate + surface("ball", "sphere", "radius = 2\norigin = [5, 5, 1.97]"), 1.0, 15.0),
+              ElementsAre("surfaces_cross"));
+}
+
 TEST(CrossingDoubts, WhatTouchesOrComesNearIsNotTold) {
   for (const double size : {0.2, 0.5}) {
     EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0) + pipe("b", 1.0, 2.0, 0.0), size), IsEmpty()) << "beside";

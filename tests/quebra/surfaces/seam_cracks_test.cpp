@@ -154,6 +154,19 @@ TEST(SeamCracks, OfATorusOpenBothWays) {
           -1, 2e-3);
 }
 
+/// Lines round a crack go over the seam with it, and its ends are written a turn further on.
+TEST(SeamCracks, HaveBandsAndRosettesOverTheSeam) {
+  const std::string round = "bands = [0.4]\nrosette = 0.2\n";
+  for (const char* points : {"[[340, 3], [390, 7]]", "[[370, 3], [390, 7]]", "[[0, 3], [0, 7]]"}) {
+    const Made all = made(tube + crack(points) + round);
+    EXPECT_THAT(all.codes, testing::IsEmpty()) << points;
+    EXPECT_EQ(all.mesh.quality.loops, 3U) << points;
+  }
+  const Made ball = made("[[input.surface]]\nname = \"ball\"\nkind = \"sphere\"\nradius = 2\n" +
+                         crack("[[30, 10], [80, 50]]") + round);
+  EXPECT_THAT(ball.codes, testing::IsEmpty());
+}
+
 TEST(SeamCracks, BesideAHoleOverTheSeamEndAtIt) {
   const Made all = made(tube + crack("[[0, 2], [0, 8]]") +
                         "[[input.trim]]\nname = \"h\"\nkind = \"ellipse\"\nrole = \"hole\"\ncentre = [0, 5]\n"

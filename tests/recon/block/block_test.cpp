@@ -196,6 +196,7 @@ TEST(Block, AnEndThatRoundingLeftBesideItsFaultIsToldAndOneOnItOrPastItIsNot) {
   EXPECT_TRUE(at_ends(shifted(0.0)).empty());
   EXPECT_TRUE(at_ends(shifted(2e-5)).empty());
   EXPECT_EQ(at_ends(shifted(-2e-5)), (std::vector<Point>{{40.0 - 2e-5, 0.0}}));
+  EXPECT_EQ(at_ends(shifted(-0.5)).size(), 1U);               // as centimetres in a section of kilometres do
   EXPECT_TRUE(at_ends(shifted(-5.0)).empty());                // told when the section is read
   EXPECT_GT(shifted(0.0).area, shifted(-2e-5).area + 100.0);  // what lies there is open
 }
