@@ -13,7 +13,6 @@
 #include "quebra/surfaces/crossing_doubts.h"
 #include "quebra/surfaces/expected_triangles.h"
 #include "quebra/surfaces/face_engine.h"
-#include "quebra/surfaces/left_out.h"
 #include "quebra/surfaces/mesh_doubts.h"
 #include "quebra/surfaces/wanted_size.h"
 #include "shared/surf/mesh/assemble.h"

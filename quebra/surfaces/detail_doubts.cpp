@@ -1,4 +1,5 @@
-#include "quebra/surfaces/left_out.h"
+// What a mesh leaves out of its surfaces.
+#include "quebra/surfaces/mesh_doubts.h"
 
 #include <fmt/format.h>
 
