@@ -31,7 +31,6 @@ using Weights = std::array<double, 3>;
 struct Triangle {
   std::array<geom::Point3, 3> at;
   std::array<geom::Point, 3> places;
-  const surf::Surface* surface = nullptr;
   const surf::trim::TrimmedSurface* face = nullptr;
 
   [[nodiscard]] geom::Vector3 normal() const {
@@ -56,7 +55,7 @@ struct Triangle {
     constexpr double third = 1.0 / 3.0;
     double most = 0.0;
     for (const Weights& w : {Weights{third, third, third}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}})
-      most = std::max(most, std::abs(dot(surface->at(place(w)) - point(w), normal())));
+      most = std::max(most, std::abs(dot(face->surface.at(place(w)) - point(w), normal())));
     return most;
   }
   /// How far it reaches to the side of `other`'s plane where it reaches less, m.
@@ -110,8 +109,9 @@ std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, 
   const geom::Point3 middle = part[0] + sum / static_cast<double>(part.size());
   for (std::size_t k = 0; k < 3; ++k) {
     const geom::Point3 p = middle + 0.5 * (part[k * part.size() / 3] - middle);
-    const geom::Point3 on_own = own.surface->at(own.place(own.weights(p)));
-    if (closest(*other.surface, on_own, other.place(other.weights(on_own))).distance > tolerance) return std::nullopt;
+    const geom::Point3 on_own = own.face->surface.at(own.place(own.weights(p)));
+    if (closest(other.face->surface, on_own, other.place(other.weights(on_own))).distance > tolerance)
+      return std::nullopt;
   }
   return middle;
 }
@@ -124,10 +124,10 @@ bool passes(const Triangle& own, const Triangle& other, double tolerance) {
   for (int i = 0; i <= parts; ++i) {
     for (int j = 0; i + j <= parts; ++j) {
       const double b = i / double{parts}, c = j / double{parts};
-      const geom::Point3 p = own.surface->at(own.place({1.0 - b - c, b, c}));
-      const surf::Foot foot = closest(*other.surface, p, other.place(other.weights(p)));
+      const geom::Point3 p = own.face->surface.at(own.place({1.0 - b - c, b, c}));
+      const surf::Foot foot = closest(other.face->surface, p, other.place(other.weights(p)));
       if (foot.distance <= tolerance) continue;
-      const auto normal = surf::normal(*other.surface, foot.uv);
+      const auto normal = surf::normal(other.face->surface, foot.uv);
       if (!normal || !contains(*other.face, foot.uv)) continue;
       (dot(p - foot.at, *normal) > 0.0 ? above : below) = true;
     }
@@ -175,8 +175,7 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
   const double tolerance = 1e-6 * box.diagonal();
   const auto triangle = [&](std::uint32_t facet) {
     const std::uint32_t t = soup.facets[facet].name;
-    Triangle made{
-        .at = {}, .places = mesh.places[t], .surface = &charts[mesh.faces[t]].surface, .face = &charts[mesh.faces[t]]};
+    Triangle made{.at = {}, .places = mesh.places[t], .face = &charts[mesh.faces[t]]};
     for (std::size_t i = 0; i < 3; ++i) made.at[i] = mesh.point(mesh.triangles[t][i]);
     return made;
   };

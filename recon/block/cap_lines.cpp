@@ -1,7 +1,6 @@
 #include "recon/block/cap_lines.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "recon/block/unit_map.h"
 #include "shared/geom/contour.h"
