@@ -3,6 +3,7 @@
 #include "recon/space/surface_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ PlacedSections crossing() {
 
 class SurfaceFile : public ::testing::TestWithParam<PlacedSections (*)()> {
  protected:
-  SurfaceFile() : folder_(std::filesystem::temp_directory_path() / "recon_surface_file") {
+  SurfaceFile() : folder_(std::filesystem::temp_directory_path() / ("recon_surface_file_" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(folder_);
   }
   ~SurfaceFile() override {
