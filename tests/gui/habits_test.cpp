@@ -1,5 +1,5 @@
 // What both programs' windows never do, whatever a person does: crash, lose, or show what is not the document's.
-//   DOBRA_MONKEY=10000  how many things a monkey does in each document (default 150)
+//   DOBRA_MONKEY=10000  how many things a monkey does in each document (default 60)
 //   DOBRA_SEED=7        where chance begins
 
 #include <gtest/gtest.h>
@@ -150,7 +150,7 @@ TEST_P(Habits, TheWindowGoesWhateverHasTheFocus) {
 }
 
 TEST_P(Habits, AMonkeyDoesNoHarm) {
-  const int count = number_of("DOBRA_MONKEY", 150);
+  const int count = number_of("DOBRA_MONKEY", 60);
   const auto seed = static_cast<std::uint32_t>(number_of("DOBRA_SEED", 1));
   open();
   test::Monkey monkey(*window_, seed);
@@ -259,7 +259,7 @@ TEST_P(Habits, GUI_b_TenThousandEditsAreUndoneAndDoneAgainToTheByte) {
   open();
   Editor editor(session(), 11);
   std::vector<std::size_t> texts{std::hash<std::string>()(text())};
-  const int count = number_of("DOBRA_EDITS", 300);
+  const int count = number_of("DOBRA_EDITS", 100);
   for (int tries = 0; static_cast<int>(texts.size()) <= count && tries < 5 * count; ++tries) {
     if (editor.edit()) texts.push_back(std::hash<std::string>()(text()));
     // As the loop of a window does between two edits of a person.
