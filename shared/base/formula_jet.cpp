@@ -361,7 +361,7 @@ PlaneJet<T> turned(const PlaneJet<T>& a, const PlaneJet<T>& b, bool& kink) {
 template <class T>
 class Machine {
  public:
-  Machine(T x, T y, std::size_t depth) : x_(x), y_(y) { stack_.reserve(depth); }
+  Machine(T x, T y, std::size_t depth) : x_(x), y_(y), stack_(of_thread()) { stack_.reserve(depth); }
 
   PlaneJet<T> run(std::span<const FormulaJet::Step> steps) {
     for (const FormulaJet::Step& step : steps) {
@@ -440,8 +440,15 @@ class Machine {
     }
   }
 
+  /// Kept from formula to formula: to ask for memory takes longer than to run one. One machine at a time has it.
+  static std::vector<PlaneJet<T>>& of_thread() {
+    thread_local std::vector<PlaneJet<T>> stack;
+    stack.clear();
+    return stack;
+  }
+
   T x_, y_;
-  std::vector<PlaneJet<T>> stack_;
+  std::vector<PlaneJet<T>>& stack_;
   bool kink_ = false, kink_in_last_ = false;
 };
 
