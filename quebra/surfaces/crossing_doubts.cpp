@@ -2,6 +2,7 @@
 //    found by the contacts of shared/solid.
 // 2. Each meeting is judged: a crossing, an overlap, or neither.
 // 3. Of each pair of faces the first of either counts.
+// 4. Within one face the same is done with triangles that have no corner in common and that no plane of either parts.
 #include "quebra/surfaces/crossing_doubts.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -116,9 +119,20 @@ std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, 
   return middle;
 }
 
+/// Whether a foot is a perpendicular's, over a triangle or next to it: elsewhere on its own surface says nothing.
+bool stands_by(const surf::Foot& foot, geom::Vector3 normal, geom::Point3 p, const Triangle& triangle) {
+  constexpr double beside = 0.5, upright = 0.99;
+  const geom::Box box = geom::box_of(triangle.places);
+  const double u = beside * box.width(), v = beside * box.height();
+  if (foot.uv.x < box.low.x - u || foot.uv.x > box.high.x + u || foot.uv.y < box.low.y - v ||
+      foot.uv.y > box.high.y + v)
+    return false;
+  return std::abs(dot(p - foot.at, normal)) >= upright * foot.distance;
+}
+
 /// Whether the surface over a triangle has places on both sides of the other one's, farther off than the tolerance and
-/// over its face.
-bool passes(const Triangle& own, const Triangle& other, double tolerance) {
+/// over its face; over the other triangle, where both are of one face.
+bool passes(const Triangle& own, const Triangle& other, double tolerance, bool of_one_face = false) {
   constexpr int parts = 6;
   bool above = false, below = false;
   for (int i = 0; i <= parts; ++i) {
@@ -129,6 +143,7 @@ bool passes(const Triangle& own, const Triangle& other, double tolerance) {
       if (foot.distance <= tolerance) continue;
       const auto normal = surf::normal(other.face->surface, foot.uv);
       if (!normal || !contains(*other.face, foot.uv)) continue;
+      if (of_one_face && !stands_by(foot, *normal, p, other)) continue;
       (dot(p - foot.at, *normal) > 0.0 ? above : below) = true;
     }
   }
@@ -139,53 +154,141 @@ struct Pairs {
   std::map<std::pair<std::size_t, std::size_t>, geom::Point3> crossing, overlapping;
 };
 
-Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::TrimmedSurface> charts,
-             std::span<const std::size_t> owner, std::size_t face_count) {
-  const surf::mesh::SurfaceMesh& mesh = meshed.mesh;
-  // All facets are of one operand, so that contacts tells the pairs; each face has a tree.
-  solid::Soup soup;
-  soup.space.reserve(mesh.points.size(), mesh.triangles.size());
-  soup.reserve(mesh.triangles.size(), 3 * mesh.triangles.size(), mesh.triangles.size());
-  std::vector<solid::PointId> points;
-  points.reserve(mesh.points.size());
-  geom::Box3 box;
-  for (const geom::Point3& p : mesh.points) {
-    points.push_back(soup.space.add(p));
-    box.add(p);
+/// The triangles of a mesh as facets of one operand, so that contacts tells the pairs.
+class Facets {
+ public:
+  explicit Facets(const surf::mesh::SurfaceMesh& mesh) : mesh_(mesh) {
+    soup_.space.reserve(mesh.points.size(), mesh.triangles.size());
+    soup_.reserve(mesh.triangles.size(), 3 * mesh.triangles.size(), mesh.triangles.size());
+    points_.reserve(mesh.points.size());
+    for (const geom::Point3& p : mesh.points) points_.push_back(soup_.space.add(p));
   }
-  std::vector<std::vector<std::uint32_t>> triangles(face_count);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles[owner[mesh.faces[t]]].push_back(t);
-  std::vector<solid::BoxTree> trees;
-  for (const auto& list : triangles) {
-    const auto first = static_cast<std::uint32_t>(soup.facets.size());
-    for (const std::uint32_t t : list) {
-      std::array<solid::PointId, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i) corners[i] = points[mesh.triangles[t][i].index()];
-      if (soup.space.collinear(corners[0], corners[1], corners[2])) continue;
-      const auto at = [&](std::size_t i) { return mesh.point(mesh.triangles[t][i]); };
-      soup.begin(soup.space.add(solid::Plane{.through = {at(0), at(1), at(2)}, .constant = std::nullopt}), 0, t);
-      soup.begin_loop();
-      for (const solid::PointId corner : corners) soup.add_corner(corner, {});
-    }
-    trees.emplace_back(soup, first, static_cast<std::uint32_t>(soup.facets.size()));
-  }
-  soup.inner.assign(trees.size(), solid::Inner::Trusted);
-  const solid::Contacts meetings = solid::contacts(soup, trees);
 
-  const double tolerance = 1e-6 * box.diagonal();
-  const auto triangle = [&](std::uint32_t facet) {
-    const std::uint32_t t = soup.facets[facet].name;
-    Triangle made{.at = {}, .places = mesh.places[t], .face = &charts[mesh.faces[t]]};
-    for (std::size_t i = 0; i < 3; ++i) made.at[i] = mesh.point(mesh.triangles[t][i]);
-    return made;
+  /// A tree of some triangles; those without area are left out.
+  void add_tree(std::span<const std::uint32_t> triangles) {
+    const auto first = static_cast<std::uint32_t>(soup_.facets.size());
+    for (const std::uint32_t t : triangles) {
+      std::array<solid::PointId, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = point(t, i);
+      if (soup_.space.collinear(corners[0], corners[1], corners[2])) continue;
+      const auto at = [&](std::size_t i) { return mesh_.point(mesh_.triangles[t][i]); };
+      soup_.begin(soup_.space.add(solid::Plane{.through = {at(0), at(1), at(2)}, .constant = std::nullopt}), 0, t);
+      soup_.begin_loop();
+      for (const solid::PointId corner : corners) soup_.add_corner(corner, {});
+    }
+    trees_.emplace_back(soup_, first, static_cast<std::uint32_t>(soup_.facets.size()));
+  }
+  [[nodiscard]] const std::vector<solid::BoxTree>& trees() const { return trees_; }
+  [[nodiscard]] std::uint32_t triangle(std::uint32_t facet) const { return soup_.facets[facet].name; }
+  [[nodiscard]] geom::Point3 rounded(solid::PointId p) const { return soup_.space.rounded(p); }
+  /// Both lips of a crack have one.
+  [[nodiscard]] bool have_common_corner(std::uint32_t t, std::uint32_t other) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (point(t, i) == point(other, k)) return true;
+      }
+    }
+    return false;
+  }
+  /// @param inner  whether pairs within a tree are looked for, or those of two
+  solid::Contacts contacts(solid::Inner inner) {
+    soup_.inner.assign(trees_.size(), inner);
+    return solid::contacts(soup_, trees_);
+  }
+
+ private:
+  [[nodiscard]] solid::PointId point(std::uint32_t t, std::size_t corner) const {
+    return points_[mesh_.triangles[t][corner].index()];
+  }
+
+  const surf::mesh::SurfaceMesh& mesh_;
+  solid::Soup soup_;
+  std::vector<solid::PointId> points_;
+  std::vector<solid::BoxTree> trees_;
+};
+
+double tolerance_of(const surf::mesh::SurfaceMesh& mesh) {
+  geom::Box3 box;
+  for (const geom::Point3& p : mesh.points) box.add(p);
+  return 1e-6 * box.diagonal();
+}
+
+Triangle triangle_of(const surf::mesh::SurfaceMesh& mesh, std::span<const surf::trim::TrimmedSurface> charts,
+                     std::uint32_t t) {
+  Triangle made{.at = {}, .places = mesh.places[t], .face = &charts[mesh.faces[t]]};
+  for (std::size_t i = 0; i < 3; ++i) made.at[i] = mesh.point(mesh.triangles[t][i]);
+  return made;
+}
+
+/// Whether the plane of a triangle, or one through a side of it upright on it, has all of the other one beyond it, for
+/// sure.
+bool lies_apart(const Triangle& own, const Triangle& other) {
+  constexpr double rounding = 1e-12;
+  const geom::Vector3 normal = cross(own.at[1] - own.at[0], own.at[2] - own.at[0]);
+  const auto beyond = [&](geom::Vector3 out, geom::Point3 from) {
+    double least = std::numeric_limits<double>::infinity(), size = 0.0;
+    for (const geom::Point3& p : other.at) {
+      least = std::min(least, dot(out, p - from));
+      size = std::max(size, geom::length(p - from));
+    }
+    return least > rounding * size * geom::length(out);
   };
+  if (beyond(normal, own.at[0]) || beyond(-normal, own.at[0])) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (beyond(cross(own.at[(i + 1) % 3] - own.at[i], normal), own.at[i])) return true;
+  }
+  return false;
+}
+
+/// Of each face whose surface cuts through itself a place where it does.
+std::map<std::size_t, geom::Point3> crossing_themselves(const surf::mesh::SurfaceMesh& mesh,
+                                                        std::span<const surf::trim::TrimmedSurface> charts,
+                                                        const Facets& all) {
+  const double tolerance = tolerance_of(mesh);
+  std::map<std::size_t, geom::Point3> found;
+  for (std::size_t face = 0; face < all.trees().size(); ++face) {
+    std::vector<std::uint32_t> near;
+    all.trees()[face].inner_pairs([&](std::uint32_t f, std::uint32_t g) {
+      const std::uint32_t t = all.triangle(f), s = all.triangle(g);
+      if (all.have_common_corner(t, s)) return;
+      const Triangle a = triangle_of(mesh, charts, t), b = triangle_of(mesh, charts, s);
+      if (lies_apart(a, b) || lies_apart(b, a)) return;
+      near.push_back(t);
+      near.push_back(s);
+    });
+    if (near.empty()) continue;
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    Facets own(mesh);
+    own.add_tree(near);
+    std::size_t looks = 0;
+    for (const solid::Contacts::Inside& pair : own.contacts(solid::Inner::Searched).inside) {
+      const std::uint32_t t = own.triangle(pair.f), s = own.triangle(pair.g);
+      if (own.have_common_corner(t, s)) continue;
+      const Triangle a = triangle_of(mesh, charts, t), b = triangle_of(mesh, charts, s);
+      if (std::min(a.depth(b), b.depth(a)) <= tolerance) continue;
+      constexpr std::size_t most_looks = 300;
+      if (looks++ == most_looks) break;
+      if (!passes(a, b, tolerance, true) && !passes(b, a, tolerance, true)) continue;
+      found.emplace(face, own.rounded(pair.at));
+      break;
+    }
+  }
+  return found;
+}
+
+Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::TrimmedSurface> charts,
+             std::span<const std::size_t> owner, Facets& all) {
+  const surf::mesh::SurfaceMesh& mesh = meshed.mesh;
+  const solid::Contacts meetings = all.contacts(solid::Inner::Trusted);
+  const double tolerance = tolerance_of(mesh);
   Pairs found;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> looks;
   const auto judge = [&](std::uint32_t f, std::uint32_t g, std::optional<geom::Point3> met) {
-    const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[soup.facets[facet].name]]; };
+    const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[all.triangle(facet)]]; };
     const std::pair faces = std::minmax({face(f), face(g)});
     if (found.crossing.contains(faces) && found.overlapping.contains(faces)) return;
-    const Triangle a = triangle(f), b = triangle(g);
+    const Triangle a = triangle_of(mesh, charts, all.triangle(f)), b = triangle_of(mesh, charts, all.triangle(g));
     if (met && !found.crossing.contains(faces)) {
       const double depth = std::min(a.depth(b), b.depth(a));
       constexpr std::size_t most_looks = 300;  // where faces only touch there are many
@@ -198,7 +301,7 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
     if (const auto place = overlap(a, b, tolerance)) found.overlapping.emplace(faces, *place);
   };
   for (const auto& [f, g] : meetings.coplanar) judge(f, g, std::nullopt);
-  for (const solid::Contacts::Inside& pair : meetings.inside) judge(pair.f, pair.g, soup.space.rounded(pair.at));
+  for (const solid::Contacts::Inside& pair : meetings.inside) judge(pair.f, pair.g, all.rounded(pair.at));
   return found;
 }
 
@@ -206,11 +309,26 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
 
 void doubt_crossings(model::SurfaceMeshed& meshed, const model::SurfaceSet& set,
                      std::span<const surf::trim::TrimmedSurface> charts, std::span<const std::size_t> owner) {
-  if (set.faces.size() < 2) return;
-  const Pairs found = judged(meshed, charts, owner, set.faces.size());
+  const surf::mesh::SurfaceMesh& mesh = meshed.mesh;
+  std::vector<std::vector<std::uint32_t>> triangles(set.faces.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles[owner[mesh.faces[t]]].push_back(t);
+  Facets all(mesh);
+  for (const auto& list : triangles) all.add_tree(list);
   const auto name = [&](std::size_t face) {
     return set.faces[face].name.empty() ? fmt::format("{}", face + 1) : set.faces[face].name;
   };
+  const std::map<std::size_t, geom::Point3> themselves = crossing_themselves(mesh, charts, all);
+  if (!themselves.empty()) {
+    const auto& [face, at] = *themselves.begin();
+    meshed.findings.push_back(
+        {"surfaces_cross",
+         fmt::format("surfaces that cut through themselves: {}; the first is '{}', here: trim away "
+                     "what goes through",
+                     themselves.size(), name(face)),
+         {.x = at.x, .y = at.y, .z = at.z}});
+  }
+  if (set.faces.size() < 2) return;
+  const Pairs found = judged(meshed, charts, owner, all);
   const auto tell = [&](const auto& pairs, const char* code, auto&& message) {
     if (pairs.empty()) return;
     const auto& [faces, at] = *pairs.begin();

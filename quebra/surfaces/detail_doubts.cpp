@@ -8,10 +8,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "shared/surf/details.h"
 #include "shared/surf/measure.h"
+#include "shared/surf/mesh/division.h"
 
 namespace quebra::surfaces {
 
@@ -101,6 +104,34 @@ TurnedAway most_turned(const surf::Surface& surface, const TrianglesInChart& tri
   return most;
 }
 
+/// Strips between kinks along lines that a mesh may take for one line (DivisionOptions::closing), as places along their
+/// middles: on a kink itself there is no one normal.
+std::vector<Box> strips_of(const surf::Surface& surface) {
+  std::vector<Box> parts;
+  constexpr int places = 64;
+  const Box& chart = surface.chart();
+  const double near = 10.0 * surf::mesh::DivisionOptions{}.closing * chart.diagonal();
+  const auto middles = [near](const std::vector<double>& kinks) {
+    std::vector<double> at;
+    for (std::size_t i = 1; i < kinks.size(); ++i) {
+      if (kinks[i] - kinks[i - 1] < near) at.push_back(0.5 * (kinks[i] + kinks[i - 1]));
+    }
+    return at;
+  };
+  const auto along = [](double low, double high, int i) { return std::lerp(low, high, (i + 0.5) / places); };
+  for (int i = 0; i < places; ++i) {
+    for (const double u : middles(surface.kinks().u)) {
+      const Point p{u, along(chart.low.y, chart.high.y, i)};
+      parts.push_back({p, p});
+    }
+    for (const double v : middles(surface.kinks().v)) {
+      const Point p{along(chart.low.x, chart.high.x, i), v};
+      parts.push_back({p, p});
+    }
+  }
+  return parts;
+}
+
 }  // namespace
 
 void doubt_details(model::SurfaceMeshed& meshed, std::span<const surf::trim::TrimmedSurface> surfaces,
@@ -109,18 +140,29 @@ void doubt_details(model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
   const double turn = std::clamp(sizes.turn, least_turn, most_turn) * std::numbers::pi / 180.0;
   for (std::size_t f = 0; f < surfaces.size(); ++f) {
     const surf::Surface& surface = surfaces[f].surface;
-    if (surface.seen(surface.chart())) continue;
+    const std::vector<Box> strips = strips_of(surface);
+    const bool seen = surface.seen(surface.chart());
+    if (seen && strips.empty()) continue;
+    const TrianglesInChart triangles(meshed.mesh, f);
+    const auto tell = [&](Point uv, std::string message) {
+      const geom::Point3 p = surface.at(uv);
+      meshed.findings.push_back({"feature_left_out",
+                                 std::move(message),
+                                 {.item = surfaces[f].name, .x = p.x, .y = p.y, .z = p.z, .u = uv.x, .v = uv.y}});
+    };
+    const TurnedAway between = most_turned(surface, triangles, strips);
+    if (between.angle > 2.0 * turn)
+      tell(between.at,
+           "two kinks of the surface are so near to each other here that the mesh takes them for one: what rises "
+           "between them is left out");
+    if (seen) continue;
     const surf::Details details = surf::details_of(surface, surface.chart());
     if (details.parts.empty()) continue;
-    const TurnedAway most = most_turned(surface, TrianglesInChart(meshed.mesh, f), details.parts);
+    const TurnedAway most = most_turned(surface, triangles, details.parts);
     if (most.angle <= 2.0 * turn) continue;
-    const geom::Point3 p = surface.at(most.at);
-    meshed.findings.push_back(
-        {"feature_left_out",
-         fmt::format("the surface turns by {:.0f} degrees from the mesh here, over a place narrower than the sizes: "
-                     "what rises there is left out; use a smaller size",
-                     most.angle * 180.0 / std::numbers::pi),
-         {.item = surfaces[f].name, .x = p.x, .y = p.y, .z = p.z, .u = most.at.x, .v = most.at.y}});
+    tell(most.at, fmt::format("the surface turns by {:.0f} degrees from the mesh here, over a place narrower than the "
+                              "sizes: what rises there is left out; use a smaller size",
+                              most.angle * 180.0 / std::numbers::pi));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "shared/surf/details.h"
 #include "shared/surf/mesh/chart_sizes.h"
 #include "shared/surf/trim/finding.h"
 #include "shared/surf/trim/rings.h"
@@ -35,6 +36,35 @@ std::vector<Ring> rings_or_chart(const TrimmedSurface& face) {
 double scattered(int i) {
   const double value = (i + 0.5) * std::numbers::phi;
   return value - std::floor(value);
+}
+
+/// By the parts of a graph in which it bends closely, which scattered places miss.
+ExpectedTriangles expected_in_details(const TrimmedSurface& face, const SizeOptions& sizes) {
+  const surf::Surface& surface = face.surface;
+  const std::vector<Ring> rings = rings_or_chart(face);
+  geom::Box box;
+  for (const Ring& ring : rings) box.add(geom::box_of(ring));
+  const double largest = surf::mesh::largest_size(surface, sizes);
+  const double unnoticed = surf::mesh::unnoticed_bend(largest, sizes);
+  surf::Details details = surf::details_of(surface, box);
+  details.parts.insert(details.parts.end(), details.unseen.begin(), details.unseen.end());
+  ExpectedTriangles found;
+  double least = std::numeric_limits<double>::infinity();
+  for (const geom::Box& part : details.parts) {
+    const Point uv = part.centre();
+    const std::vector<double> at = surf::trim::meets(rings, uv.y);
+    if (std::count_if(at.begin(), at.end(), [&](double u) { return u < uv.x; }) % 2 == 0) continue;
+    const surf::Jet jet = surface.jet(uv);
+    const double bend = surf::mesh::followed_bend(surface, uv, jet, unnoticed, sizes);
+    const double size =
+        std::max(sizes.least, std::min({largest, surf::mesh::size_by_bend(bend, sizes), sizes.wanted_at(uv, jet.at)}));
+    const double area = geom::length(cross(jet.u, jet.v)) * part.width() * part.height();
+    const double triangles = 4.0 / std::numbers::sqrt3 * area / (size * size);
+    if (!std::isfinite(triangles)) continue;
+    found.count += triangles;
+    if (size < least) least = size, found.finest = uv;
+  }
+  return found;
 }
 
 }  // namespace
@@ -74,6 +104,15 @@ base::Result<void> not_too_many(const TrimmedSurface& face, const SizeOptions& s
   constexpr int few = 32, many = 128;
   constexpr double doubtful = 0.01, sure = 2.0;
   const auto allowed = static_cast<double>(most);
+  if (!face.surface.seen(face.surface.chart())) {
+    const ExpectedTriangles close = expected_in_details(face, sizes);
+    if (close.count > sure * allowed)
+      return base::Error{base::ErrorCode::TooManyElements,
+                         fmt::format("the mesh would have more than {} triangles, the least of them here, where the "
+                                     "surface bends closely: trim this part of the surface away, or raise the limit",
+                                     most),
+                         surf::trim::place_of(face.surface, close.finest)};
+  }
   ExpectedTriangles found = expected_triangles(face, sizes, few);
   if (found.count <= doubtful * allowed) return {};
   found = expected_triangles(face, sizes, many);

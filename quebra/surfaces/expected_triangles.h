@@ -19,8 +19,10 @@ struct ExpectedTriangles {
 ExpectedTriangles expected_triangles(const dobra::surf::trim::TrimmedSurface& face,
                                      const dobra::surf::mesh::SizeOptions& sizes, int lines);
 
-/// @error TooManyElements with the place, where more than twice as many are expected as are allowed.
-/// @cost 1,000 places of the surface; 16,000 where more than a hundredth of what is allowed is expected.
+/// @error TooManyElements with the place, where more than twice as many are expected as are allowed: over the chart, or
+/// in the parts in which a graph bends closely (surf/details.h), which such places miss.
+/// @cost 1,000 places of the surface; 16,000 where more than a hundredth of what is allowed is expected; those of
+/// details_of for a graph that bends closely.
 dobra::base::Result<void> not_too_many(const dobra::surf::trim::TrimmedSurface& face,
                                        const dobra::surf::mesh::SizeOptions& sizes, std::size_t most);
 

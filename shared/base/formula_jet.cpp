@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "shared/base/formula_steps.h"
@@ -360,18 +361,23 @@ PlaneJet<T> turned(const PlaneJet<T>& a, const PlaneJet<T>& b, bool& kink) {
 template <class T>
 class Machine {
  public:
-  Machine(T x, T y, std::size_t depth) : x_(x), y_(y) { stack_.reserve(depth); }
+  Machine(T x, T y, std::size_t depth) : x_(x), y_(y), stack_(of_thread()) { stack_.reserve(depth); }
 
-  PlaneJet<T> run(const std::vector<FormulaJet::Step>& steps) {
+  PlaneJet<T> run(std::span<const FormulaJet::Step> steps) {
     for (const FormulaJet::Step& step : steps) {
       const std::size_t count = taken_by(step.operation);
+      const bool before = std::exchange(kink_, false);
       const PlaneJet<T> made = count == 0 ? leaf(step) : of(step.operation, stack_.data() + stack_.size() - count);
+      kink_in_last_ = kink_;
+      kink_ = kink_ || before;
       stack_.resize(stack_.size() - count);
       stack_.push_back(made);
     }
     return stack_.back();
   }
   [[nodiscard]] bool kink() const { return kink_; }
+  /// In the last step itself.
+  [[nodiscard]] bool kink_in_last() const { return kink_in_last_; }
 
  private:
   [[nodiscard]] PlaneJet<T> leaf(const FormulaJet::Step& step) const {
@@ -434,10 +440,86 @@ class Machine {
     }
   }
 
+  /// Kept from formula to formula: to ask for memory takes longer than to run one. One machine at a time has it.
+  static std::vector<PlaneJet<T>>& of_thread() {
+    thread_local std::vector<PlaneJet<T>> stack;
+    stack.clear();
+    return stack;
+  }
+
   T x_, y_;
-  std::vector<PlaneJet<T>> stack_;
-  bool kink_ = false;
+  std::vector<PlaneJet<T>>& stack_;
+  bool kink_ = false, kink_in_last_ = false;
 };
+
+bool is_choice(std::uint8_t operation) {
+  return (operation >= Less && operation <= Unequal) || operation == Abs || operation == Sign || operation == Floor ||
+         operation == Min || operation == Max;
+}
+
+/// A choice with all that it looks at, as steps of their own.
+struct Choice {
+  std::size_t first = 0, last = 0;
+  bool of_x = false, of_y = false;
+};
+std::vector<Choice> choices_in(const std::vector<FormulaJet::Step>& steps) {
+  std::vector<Choice> stack, found;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Choice made{i, i, steps[i].operation == X, steps[i].operation == Y};
+    for (std::size_t taken = taken_by(steps[i].operation); taken > 0; --taken) {
+      const Choice& part = stack.back();
+      made = {part.first, i, made.of_x || part.of_x, made.of_y || part.of_y};
+      stack.pop_back();
+    }
+    stack.push_back(made);
+    if (is_choice(steps[i].operation)) found.push_back(made);
+  }
+  return found;
+}
+
+/// Halves a range until numbers end where `undecided` holds; nothing where that is so of too many parts. Parts reach
+/// over their ends by a digit: what changes over at the end of two is decided in either.
+template <class Undecided>
+std::vector<Range> narrowed(Range whole, const Undecided& undecided) {
+  constexpr std::size_t most = 4096;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double nought = 0.25 * epsilon * (whole.high - whole.low);
+  std::vector<Range> parts{whole};
+  for (bool halved = true; halved;) {
+    halved = false;
+    std::vector<Range> next;
+    for (const Range part : parts) {
+      const Range wider{std::max(whole.low, std::nextafter(part.low, -inf)),
+                        std::min(whole.high, std::nextafter(part.high, inf))};
+      if (!undecided(wider)) continue;
+      const double middle = 0.5 * (part.low + part.high);
+      if (part.high - part.low <= std::max(nought, 4.0 * epsilon * part.size())) {
+        next.push_back(part);
+        continue;
+      }
+      next.push_back({part.low, middle});
+      next.push_back({middle, part.high});
+      halved = true;
+    }
+    if (next.size() > most) return {};
+    parts = std::move(next);
+  }
+  return parts;
+}
+
+/// Ascending; those that touch are one.
+std::vector<Range> joined(std::vector<Range> ranges) {
+  std::sort(ranges.begin(), ranges.end(), [](Range a, Range b) { return a.low < b.low; });
+  std::vector<Range> apart;
+  for (const Range range : ranges) {
+    if (!apart.empty() && range.low <= apart.back().high) {
+      apart.back().high = std::max(apart.back().high, range.high);
+    } else {
+      apart.push_back(range);
+    }
+  }
+  return apart;
+}
 
 }  // namespace
 }  // namespace formula_jets
@@ -462,6 +544,23 @@ FormulaJet::Bounds FormulaJet::over(Range x, Range y) const {
   Bounds bounds{machine.run(steps_), false};
   bounds.kink = machine.kink();
   return bounds;
+}
+
+FormulaJet::Changes FormulaJet::changes(Range x, Range y) const {
+  Changes found;
+  for (const formula_jets::Choice& choice : formula_jets::choices_in(steps_)) {
+    if (choice.of_x == choice.of_y) continue;
+    const std::span own(steps_.data() + choice.first, choice.last + 1 - choice.first);
+    const auto undecided = [&](Range part) {
+      Machine<Range> machine(part, part, depth_);
+      machine.run(own);
+      return machine.kink_in_last();
+    };
+    std::vector<Range>& along = choice.of_x ? found.x : found.y;
+    const std::vector<Range> more = formula_jets::narrowed(choice.of_x ? x : y, undecided);
+    along.insert(along.end(), more.begin(), more.end());
+  }
+  return {formula_jets::joined(std::move(found.x)), formula_jets::joined(std::move(found.y))};
 }
 
 }  // namespace dobra::base

@@ -161,7 +161,8 @@ struct GraphShape : Surface::Shape {
   /// A hair inside the range, where the place lies at one of its ends: derivatives are those of the side.
   static double inside(double at, const std::vector<double>& breaks) {
     const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
-    const double low = *(above - 1), high = *above, hair = 1e-10 * (high - low);
+    const double low = *(above - 1), high = *above;
+    const double hair = hair_beside(high - low, std::max(std::abs(breaks.front()), std::abs(breaks.back())));
     if (std::abs(at - low) < hair) return low + hair;
     return std::abs(at - high) < hair ? high - hair : at;
   }
@@ -260,14 +261,29 @@ struct GraphShape : Surface::Shape {
   static void take(Bend& most, const Bend& other) {
     most = {std::max(most.uu, other.uu), std::max(most.uv, other.uv), std::max(most.vv, other.vv)};
   }
-  [[nodiscard]] base::FormulaJet::Bounds bounds(const Box& part) const {
-    return exact.over({part.low.x, part.high.x}, {part.low.y, part.high.y});
+  /// The parts between kinks along lines, where none of these is met.
+  [[nodiscard]] std::vector<base::Range> ranges(double low, double high, const std::vector<double>& breaks) const {
+    if (breaks.size() <= 2) return {{low, high}};
+    return between_lines({low, high}, {breaks.begin() + 1, breaks.end() - 1},
+                         std::max(std::abs(breaks.front()), std::abs(breaks.back())));
+  }
+  /// Of the second derivatives over a part of the chart, but on kinks along lines.
+  [[nodiscard]] Bend bounds(const Box& part) const {
+    Bend most;
+    const auto ys = ranges(part.low.y, part.high.y, breaks_y);
+    for (const base::Range& x : ranges(part.low.x, part.high.x, breaks_x)) {
+      for (const base::Range& y : ys) {
+        const base::PlaneJet<base::Range> z = exact.over(x, y).of;
+        take(most, {z.xx.size(), z.xy.size(), z.yy.size()});
+      }
+    }
+    return most;
   }
   [[nodiscard]] bool seen(const Box& part) const override {
     constexpr double least = 5e-3, more = 2.0;
-    const base::PlaneJet<base::Range> z = bounds(part).of;
+    const Bend bend = bounds(part);
     const double w = part.width(), h = part.height();
-    const double by_x = z.xx.size() * w + z.xy.size() * h, by_y = z.xy.size() * w + z.yy.size() * h;
+    const double by_x = bend.uu * w + bend.uv * h, by_y = bend.uv * w + bend.vv * h;
     if (by_x <= least && by_y <= least) return true;
     if (!std::isfinite(by_x + by_y)) return false;
     // A narrow peak may be met by one place, or a ridge by a row of them: the mean counts too.
@@ -290,8 +306,7 @@ struct GraphShape : Surface::Shape {
     const Point m = part.centre();
     for (const Box& quarter : {Box{part.low, m}, Box{{m.x, part.low.y}, {part.high.x, m.y}},
                                Box{{part.low.x, m.y}, {m.x, part.high.y}}, Box{m, part.high}}) {
-      const base::PlaneJet<base::Range> z = bounds(quarter).of;
-      take(most, {z.xx.size(), z.xy.size(), z.yy.size()});
+      take(most, bounds(quarter));
     }
     if (std::isfinite(most.uu + most.uv + most.vv)) return most;
     std::call_once(looked, [&] { look_at_bends(); });
@@ -335,7 +350,7 @@ base::Result<Surface> Surface::graph(const std::string& formula, const Box& char
   Breaks kinks;
   if (geom::is_finite(chart.low) && geom::is_finite(chart.high) && !chart.empty()) {
     const auto z = [&](double x, double y) { return shape->height(x, y); };
-    const GraphFlaws flaws = graph_flaws(z, chart);
+    const GraphFlaws flaws = graph_flaws(z, shape->exact, chart);
     kinks = {flaws.kinks_x, flaws.kinks_y};
     const auto with_ends = [](std::vector<double> inside, double low, double high) {
       inside.insert(inside.begin(), low);

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "shared/base/formula.h"
-#include "shared/base/formula_jet.h"
 
 namespace dobra::surf {
 
@@ -38,6 +37,26 @@ class Looker {
     return std::move(found_);
   }
 
+  /// Adds what changes along lines on which choices of the formula change over; kinks that were found there by the
+  /// numbers are these.
+  GraphFlaws add_changes(GraphFlaws found, const base::FormulaJet& formula) {
+    found_ = std::move(found);
+    find_range();
+    const base::FormulaJet::Changes changes =
+        formula.changes({chart_.low.x, chart_.high.x}, {chart_.low.y, chart_.high.y});
+    for (const bool along_x : {true, false}) {
+      const double low = along_x ? chart_.low.x : chart_.low.y, high = along_x ? chart_.high.x : chart_.high.y;
+      std::vector<double> lines;
+      for (const base::Range& change : along_x ? changes.x : changes.y) {
+        constexpr double wide = 1e-9;
+        if (change.high - change.low > wide * (high - low)) continue;
+        if (is_kink(formula, along_x, change)) lines.push_back(0.5 * (change.low + change.high));
+      }
+      take_lines(along_x, lines, high - low);
+    }
+    return std::move(found_);
+  }
+
   /// Goes on with parts in which a flaw may be, looked at through their middles, where none was found near them.
   GraphFlaws go_on(GraphFlaws found, const std::vector<Box>& suspects) {
     found_ = std::move(found);
@@ -64,6 +83,60 @@ class Looker {
   }
 
  private:
+  /// Whether the slope jumps from one side of a change to the other, as it does a thousand times as far beside it; a
+  /// height that jumps is a flaw.
+  bool is_kink(const base::FormulaJet& formula, bool along_x, const base::Range& change) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const double low = along_x ? chart_.low.x : chart_.low.y, high = along_x ? chart_.high.x : chart_.high.y;
+    const double beside = std::max(4.0 * epsilon * change.size(), 4.0 * epsilon * (high - low));
+    if (change.low - beside <= low || change.high + beside >= high) return false;
+    const auto jump = [&](double t, double by) {
+      const auto at = [&](double s) { return along_x ? formula.at(s, t) : formula.at(t, s); };
+      const base::PlaneJet<double> a = at(std::max(low, change.low - by)), b = at(std::min(high, change.high + by));
+      return std::array{std::abs(b.value - a.value), along_x ? std::abs(b.x - a.x) : std::abs(b.y - a.y),
+                        std::max(std::abs(a.value), std::abs(b.value))};
+    };
+    for (int i = 0; i < options_.lines; ++i) {
+      const double part = (i + 0.4637) / options_.lines;
+      const double t =
+          along_x ? std::lerp(chart_.low.y, chart_.high.y, part) : std::lerp(chart_.low.x, chart_.high.x, part);
+      const auto [height, slope, size] = jump(t, beside);
+      if (!std::isfinite(height + slope)) continue;
+      if (height > options_.jump * range_ && height > 1e3 * epsilon * size) {
+        const double middle = 0.5 * (change.low + change.high);
+        add_flaw(GraphFlawKind::Jump, along_x ? Point{middle, t} : Point{t, middle});
+        return false;
+      }
+      if (!(slope > options_.kink)) continue;
+      // Nearer and nearer to a place without bound the slope itself grows.
+      constexpr double farther = 1e3, alike = 2.0;
+      const double far = jump(t, farther * beside)[1];
+      if (far > slope / alike && far < slope * alike) return true;
+    }
+    return false;
+  }
+  void add_flaw(GraphFlawKind kind, Point at) {
+    const double same = 1e-6 * chart_.diagonal();
+    if (std::none_of(found_.flaws.begin(), found_.flaws.end(),
+                     [&](const GraphFlaw& flaw) { return flaw.kind == kind && geom::distance(flaw.at, at) <= same; }))
+      add(kind, at);
+  }
+  /// @param lines  ascending
+  void take_lines(bool along_x, const std::vector<double>& lines, double width) {
+    std::vector<double>& kinks = along_x ? found_.kinks_x : found_.kinks_y;
+    const double same = 1e-9 * width;
+    const auto known = [&](double at) {
+      const auto above = std::lower_bound(lines.begin(), lines.end(), at - same);
+      return above != lines.end() && *above <= at + same;
+    };
+    std::erase_if(kinks, known);
+    kinks.insert(kinks.end(), lines.begin(), lines.end());
+    std::sort(kinks.begin(), kinks.end());
+    std::erase_if(found_.flaws, [&](const GraphFlaw& flaw) {
+      return flaw.kind == GraphFlawKind::Kink && known(along_x ? flaw.at.x : flaw.at.y);
+    });
+  }
+
   /// But where one is known.
   void add_kink(Point at) {
     constexpr double beside = 1e-6;
@@ -278,26 +351,36 @@ class Looker {
   GraphFlaws found_;
 };
 
+double size_of(double low, double high) { return std::max(std::abs(low), std::abs(high)); }
+
+/// Whether a formula may have a kink or a jump over a part of the chart, or derivatives without bound, but on known
+/// lines.
+bool is_suspect(const base::FormulaJet& formula, const Box& part, const Box& chart, const GraphFlaws& known) {
+  const auto ys = between_lines({part.low.y, part.high.y}, known.kinks_y, size_of(chart.low.y, chart.high.y));
+  for (const base::Range& x :
+       between_lines({part.low.x, part.high.x}, known.kinks_x, size_of(chart.low.x, chart.high.x))) {
+    for (const base::Range& y : ys) {
+      const base::FormulaJet::Bounds bounds = formula.over(x, y);
+      const base::PlaneJet<base::Range>& z = bounds.of;
+      if (bounds.kink || !std::isfinite(z.value.size() + z.xx.size() + z.xy.size() + z.yy.size())) return true;
+    }
+  }
+  return false;
+}
+
 /// Small parts of a chart over which a formula may have a kink or a jump, or its derivatives have no bound, but for
 /// kinks along lines that are known.
 std::vector<Box> suspects_in(const base::FormulaJet& formula, const Box& chart, const GraphFlaws& known) {
   constexpr std::size_t most_looks = 4000, most = 32;
-  constexpr double finest = 1e-5, beside = 1e-9;  // of the chart
-  const auto passed = [](const std::vector<double>& lines, double low, double high, double hair) {
-    return std::any_of(lines.begin(), lines.end(), [&](double c) { return c >= low - hair && c <= high + hair; });
-  };
-  std::deque<Box> next{chart};  // the coarsest first
+  constexpr double finest = 1e-5;  // of the chart
+  std::deque<Box> next{chart};     // the coarsest first
   std::vector<Box> found;
   for (std::size_t looks = 0; !next.empty(); ++looks) {
     const Box part = next.front();
     next.pop_front();
-    const base::FormulaJet::Bounds bounds = formula.over({part.low.x, part.high.x}, {part.low.y, part.high.y});
-    const base::PlaneJet<base::Range>& z = bounds.of;
-    if (!bounds.kink && std::isfinite(z.value.size() + z.xx.size() + z.xy.size() + z.yy.size())) continue;
+    if (!is_suspect(formula, part, chart, known)) continue;
     if (part.width() <= finest * chart.width() || looks + next.size() > most_looks) {
-      if (!passed(known.kinks_x, part.low.x, part.high.x, beside * chart.width()) &&
-          !passed(known.kinks_y, part.low.y, part.high.y, beside * chart.height()))
-        found.push_back(part);
+      found.push_back(part);
       continue;
     }
     const Point m = part.centre();
@@ -313,9 +396,40 @@ std::vector<Box> suspects_in(const base::FormulaJet& formula, const Box& chart, 
 
 }  // namespace
 
+double hair_beside(double gap, double size) {
+  constexpr double part = 1e-10, digits = 8.0 * std::numeric_limits<double>::epsilon();
+  return std::min(0.25 * gap, std::max(part * gap, digits * size));
+}
+
+std::vector<base::Range> between_lines(base::Range range, const std::vector<double>& lines, double size) {
+  std::vector<base::Range> parts;
+  double low = range.low, before = -std::numeric_limits<double>::infinity();
+  const auto add = [&](double high) {
+    if (low < high) parts.push_back({low, high});
+  };
+  const auto from = std::lower_bound(lines.begin(), lines.end(), range.low - hair_beside(range.high - range.low, size));
+  for (auto line = from; line != lines.end(); ++line) {
+    const double gap = std::min(
+        {*line - before, line + 1 == lines.end() ? range.high - range.low : line[1] - *line, range.high - range.low});
+    const double hair = hair_beside(gap, size);
+    if (*line - hair > range.high) break;
+    add(*line - hair);
+    low = std::max(low, *line + hair);
+    before = *line;
+  }
+  add(range.high);
+  if (parts.empty()) parts.push_back(range);
+  return parts;
+}
+
 GraphFlaws graph_flaws(const std::function<double(double, double)>& height, const Box& chart,
                        const GraphFlawOptions& options) {
   return Looker(height, chart, options).run();
+}
+
+GraphFlaws graph_flaws(const std::function<double(double, double)>& height, const base::FormulaJet& formula,
+                       const Box& chart, const GraphFlawOptions& options) {
+  return Looker(height, chart, options).add_changes(graph_flaws(height, chart, options), formula);
 }
 
 base::Result<GraphFlaws> graph_flaws(const std::string& formula, const Box& chart, const GraphFlawOptions& options) {
@@ -323,7 +437,7 @@ base::Result<GraphFlaws> graph_flaws(const std::string& formula, const Box& char
   DOBRA_TRY(const base::Formula height, base::Formula::make(formula, names));
   DOBRA_TRY(const base::FormulaJet jets, base::FormulaJet::make(formula, names));
   const std::function<double(double, double)> z = [&](double x, double y) { return height.at(std::array{x, y}); };
-  GraphFlaws found = graph_flaws(z, chart, options);
+  GraphFlaws found = graph_flaws(z, jets, chart, options);
   const std::vector<Box> suspects = suspects_in(jets, chart, found);
   return suspects.empty() ? found : Looker(z, chart, options).go_on(std::move(found), suspects);
 }

@@ -50,17 +50,6 @@ double greatest_bend(const Jet& jet) {
   return bent ? std::max(std::abs(bent->least), std::abs(bent->greatest)) : 0.0;
 }
 
-/// By turn and chord, for a greatest curvature.
-double size_by_bend(double bend, const SizeOptions& options) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (!(bend > 0.0)) return none;
-  double size = options.turn > 0.0 ? 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / bend : none;
-  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
-  constexpr double longer = 1.6;
-  if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / bend) / longer);
-  return size;
-}
-
 /// Radians; 15 degrees where none is asked.
 double turn_of(const SizeOptions& options) {
   return (options.turn > 0.0 ? options.turn : 15.0) * std::numbers::pi / 180.0;
@@ -313,6 +302,16 @@ Error too_small_to_tell(const ScaledChart& chart, Point at, double size) {
 
 double largest_size(const Surface& surface, const SizeOptions& options) {
   return options.largest > 0.0 ? options.largest : surface.size() / 20.0;
+}
+
+double size_by_bend(double bend, const SizeOptions& options) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!(bend > 0.0)) return none;
+  double size = options.turn > 0.0 ? 2.0 * std::sin(options.turn * std::numbers::pi / 360.0) / bend : none;
+  // A triangle with sides h is h^2 k / 6 off in its middle, and sides may be longer than the size.
+  constexpr double longer = 1.6;
+  if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / bend) / longer);
+  return size;
 }
 
 double size_by_shape(const Jet& jet, const SizeOptions& options) { return size_by_bend(greatest_bend(jet), options); }

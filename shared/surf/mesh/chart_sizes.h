@@ -40,6 +40,8 @@ base::Result<ChartSizes> chart_sizes(const ScaledChart& chart, std::span<const G
 double largest_size(const Surface& surface, const SizeOptions& options);
 /// The size that the shape of the surface asks for: by turn and chord; infinite where it is flat, or has no normal.
 double size_by_shape(const Jet& jet, const SizeOptions& options);
+/// The same for a greatest curvature, 1/m.
+double size_by_bend(double bend, const SizeOptions& options);
 /// The extent of bends that are not followed, m: a thousandth of the largest size, a quarter of the chord where one is
 /// asked. Coordinates of files are rounded, which bends surfaces without bound beside a side that is one point.
 double unnoticed_bend(double largest, const SizeOptions& options);

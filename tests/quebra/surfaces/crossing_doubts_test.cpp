@@ -165,8 +165,70 @@ TEST(CrossingDoubts, WhatTouchesOrComesNearIsNotTold) {
   }
 }
 
-TEST(CrossingDoubts, OneSurfaceHasNone) {
-  EXPECT_THAT(codes(surface("c", "torus", "radius = 3\nminor_radius = 1"), 0.4), IsEmpty());
+/// A cubic that crosses itself at (2, 0, 12/7), by symmetry where x = 2: x - 2 = s (28 s^2 - 3), z = 12 (1/4 - s^2).
+const std::string loop =
+    "[[input.space_curve]]\nname = \"loop\"\nkind = \"bezier\"\npoints = [[0, 0, 0], [6, 0, 4], [-2, 0, 4], [4, 0, "
+    "0]]\n";
+
+TEST(CrossingDoubts, ASurfaceThatCutsThroughItselfIsToldWhereItDoes) {
+  const std::string extruded = loop + surface("eight", "extruded", "curves = [\"loop\"]\nby = [1, 5, 0.5]");
+  for (const double size : {0.3, 1.5}) {
+    const auto found = doubts(extruded, size, 15.0);
+    ASSERT_EQ(found.size(), 1U) << size;
+    EXPECT_EQ(found[0].code, "surfaces_cross");
+    EXPECT_THAT(found[0].message, HasSubstr("themselves: 1; the first is 'eight'"));
+    const double y = *found[0].place.y;
+    EXPECT_TRUE(y >= 0.0 && y <= 5.0) << y;
+    EXPECT_NEAR(*found[0].place.x, 2.0 + y / 5.0, 0.05) << size;
+    EXPECT_NEAR(*found[0].place.z, 12.0 / 7.0 + 0.1 * y, 0.05) << size;
+  }
+  const auto turned = doubts(
+      loop + surface("ring", "revolved", "curves = [\"loop\"]\norigin = [9, 0, 0]\naxis = [0, 0, 1]\nu = [0, 360]"),
+      0.7, 15.0);
+  ASSERT_EQ(turned.size(), 1U);
+  EXPECT_NEAR(std::hypot(*turned[0].place.x - 9.0, *turned[0].place.y), 7.0, 0.1);
+  EXPECT_NEAR(*turned[0].place.z, 12.0 / 7.0, 0.1);
+}
+
+TEST(CrossingDoubts, APatchThatLoopsThroughItselfIsTold) {
+  // The loop above, sheared along the patch and made of a grid of points.
+  std::string points = "[";
+  for (const char* const at : {"0, {}, 0", "6, {}, 4", "-2, {}, 4", "4, {}, 0"}) {
+    for (int k = 0; k < 4; ++k) {
+      std::string point = at;
+      point.replace(point.find("{}"), 2, std::to_string(2 * k));
+      points += "[" + point + "], ";
+    }
+  }
+  points.replace(points.size() - 2, 2, "]");
+  const std::string patch =
+      surface("patch", "nurbs",
+              "degree = 3\nknots_u = [0, 0, 0, 0, 1, 1, 1, 1]\nknots_v = [0, 0, 0, 0, 1, 1, 1, 1]\npoints = " + points);
+  const auto found = doubts(patch, 0.5, 15.0);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(*found[0].place.x, 2.0, 0.05);
+  EXPECT_NEAR(*found[0].place.z, 12.0 / 7.0, 0.05);
+}
+
+TEST(CrossingDoubts, PlainSurfacesDoNotCutThroughThemselves) {
+  EXPECT_THAT(codes(surface("c", "torus", "radius = 3\nminor_radius = 2.99"), 1.0, 20.0), IsEmpty());
+  for (const double size : {0.5, 4.0}) {
+    EXPECT_THAT(codes(surface("c", "torus", "radius = 3\nminor_radius = 1"), size), IsEmpty()) << size;
+    EXPECT_THAT(codes(pipe("c", 1.0, 0.0, 0.0), size), IsEmpty()) << size;
+    EXPECT_THAT(codes(surface("c", "sphere", "radius = 2"), size), IsEmpty()) << size;
+    EXPECT_THAT(codes(plate + internal("plate", "[[4, 2], [4, 8]]", "crack"), size), IsEmpty()) << size;
+    EXPECT_THAT(codes(pipe("c", 2.0, 0.0, 0.0) + internal("c", "[[90, 2], [200, 6]]", "crack"), size), IsEmpty())
+        << size;
+  }
+  EXPECT_THAT(codes(pipe("c", 1.0, 0.0, 0.0, "[0, 359.9]"), 0.5), IsEmpty()) << "a narrow slit";
+}
+
+TEST(CrossingDoubts, ConesOfAnyAngleDoNotCutThroughThemselves) {
+  for (const char* const angle : {"1", "20", "80"}) {
+    const std::string cone =
+        surface("c", "cone", std::string("radius = 0\nhalf_angle = ") + angle + "\nv = [0, 10]\nu = [0, 360]");
+    EXPECT_THAT(codes(cone, 3.0), IsEmpty()) << angle;
+  }
 }
 
 }  // namespace

@@ -23,9 +23,10 @@ namespace {
 using namespace dobra;
 
 base::Result<model::SurfaceMeshed> meshed(const std::string& formula, double size, double turn = 15.0,
-                                          SurfaceEngine engine = SurfaceEngine::Front) {
+                                          SurfaceEngine engine = SurfaceEngine::Front, double half = 3.0) {
+  const std::string range = fmt::format("[-{0}, {0}]", half);
   DOBRA_TRY(const Surfaces made, test::surfaces_of("[[input.surface]]\nname = \"g\"\nkind = \"graph\"\nformula = \"" +
-                                                   formula + "\"\nu = [-3, 3]\nv = [-3, 3]\n"));
+                                                   formula + "\"\nu = " + range + "\nv = " + range + "\n"));
   model::SurfaceSet set{.faces = made.faces, .chart_units = {{1.0, 1.0}}, .parts = made.parts};
   SurfaceMeshOptions options{.sizes = {.largest = size, .turn = turn}};
   options.engine = engine;
@@ -111,6 +112,42 @@ TEST(MeshesOfNarrowPeaks, PlainGraphsHaveNoSuchFinding) {
       // abs(x) has sides along its kink.
       EXPECT_THAT(codes_of(*mesh), testing::Each(testing::Eq("kink"))) << formula << ' ' << size;
     }
+  }
+}
+
+/// A ramp from 0 to 1 between two kinks adds length (sqrt(1 + width^2) - width) to the plane.
+TEST(MeshesOfNarrowPeaks, RampsBetweenKinksAreMeshedOrTold) {
+  for (const double width : {1.0, 0.1, 0.03, 0.003, 3e-4, 3e-6}) {
+    const double wanted = 100.0 + 10.0 * (std::hypot(1.0, width) - width);
+    for (const char* const name : {"x", "y"}) {
+      const auto mesh =
+          meshed(fmt::format("min(1, max(0, ({} - 0.7) / {}))", name, width), 1.0, 15.0, SurfaceEngine::Front, 5.0);
+      ASSERT_TRUE(mesh.ok()) << width << ' ' << name << ' ' << to_string(mesh.error());
+      EXPECT_NEAR(mesh->area_surface, wanted, 1e-6 * wanted) << width;
+      // A millionth of the chart is as near as lines of a mesh come.
+      if (width > 1e-5) {
+        EXPECT_NEAR(mesh->quality.area, wanted, 1e-9 * wanted) << width << ' ' << name;
+        EXPECT_THAT(codes_of(*mesh), testing::Each(testing::Eq("kink"))) << width << ' ' << name;
+        continue;
+      }
+      const auto left_out = std::find_if(mesh->findings.begin(), mesh->findings.end(),
+                                         [](const auto& finding) { return finding.code == "feature_left_out"; });
+      ASSERT_NE(left_out, mesh->findings.end()) << width << ' ' << name;
+      EXPECT_THAT(left_out->message, testing::HasSubstr("takes them for one"));
+      EXPECT_NEAR(*name == 'x' ? *left_out->place.u : *left_out->place.v, 0.7, 2.0 * width);
+    }
+  }
+}
+
+/// What asks for too many triangles is refused before anything is meshed.
+TEST(MeshesOfNarrowPeaks, ARidgeOfMillionsOfTrianglesIsRefusedWithItsPlace) {
+  for (const double size : {1.0, 0.3}) {
+    const auto refused = meshed("exp(-1000 * (x - y)^2)", size);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, base::ErrorCode::TooManyElements);
+    EXPECT_THAT(refused.error().message, testing::HasSubstr("closely: trim this part"));
+    ASSERT_TRUE(refused.error().place && refused.error().place->u && refused.error().place->v);
+    EXPECT_LT(std::abs(*refused.error().place->u - *refused.error().place->v), 0.1);
   }
 }
 

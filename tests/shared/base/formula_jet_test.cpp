@@ -168,5 +168,27 @@ TEST(FormulaJet, WhatIsNoFormulaIsRefused) {
     EXPECT_FALSE(FormulaJet::make(text, x_and_y).ok()) << text;
 }
 
+TEST(FormulaJet, ChoicesChangeOverWhereTheyDo) {
+  const auto changes = [](const std::string& text) {
+    return FormulaJet::make(text, x_and_y)->changes({-3.0, 7.0}, {-3.0, 7.0});
+  };
+  const FormulaJet::Changes ramp = changes("min(1, max(0, (x - 5) / 0.003)) + abs(y + 1) * max(y, 3)");
+  ASSERT_EQ(ramp.x.size(), 2U);
+  ASSERT_EQ(ramp.y.size(), 2U);
+  const auto holds = [](Range range, double at) {
+    return range.low - 2e-15 <= at && at <= range.high + 2e-15 && range.high - range.low < 1e-14;
+  };
+  EXPECT_TRUE(holds(ramp.x[0], 5.0));
+  EXPECT_TRUE(holds(ramp.x[1], 5.003));
+  EXPECT_TRUE(holds(ramp.y[0], -1.0));
+  EXPECT_TRUE(holds(ramp.y[1], 3.0));
+  for (const char* const none : {"x * y", "abs(x * y)", "abs(x - 9)", "max(x, 8 - y)", "hypot(x, y)"}) {
+    EXPECT_TRUE(changes(none).x.empty()) << none;
+    EXPECT_TRUE(changes(none).y.empty()) << none;
+  }
+  EXPECT_EQ(changes("floor(x)").x.size(), 10U);  // from -2 to 7: at -3 nothing is before
+  EXPECT_EQ(changes("(x > 1 && x <= 2) * (y == 4)").x.size(), 2U);
+}
+
 }  // namespace
 }  // namespace dobra::base

@@ -2,11 +2,15 @@
 
 #include "shared/surf/graph_flaws.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
 
 #include "shared/surf/surface.h"
 
@@ -51,6 +55,63 @@ TEST(GraphFlaws, AKinkAlongXOrYIsALine) {
   ASSERT_EQ(found.kinks_y.size(), 1U);
   EXPECT_NEAR(found.kinks_x[0], 0.013, 1e-10);
   EXPECT_NEAR(found.kinks_y[0], -0.2, 1e-9);
+}
+
+/// Ramps between two kinks: their distance is known.
+const std::vector<double> widths{1.0, 0.1, 0.03, 3e-3, 3e-4, 3e-6};
+
+TEST(GraphFlaws, KinksAlongLinesAreFoundHoweverNearToEachOther) {
+  const geom::Box ten{{0, 0}, {10, 10}};
+  for (const double width : widths) {
+    const std::string w = fmt::format("{}", width);
+    for (const char* const name : {"x", "y"}) {
+      const GraphFlaws found = flaws_of(fmt::format("min(1, max(0, ({} - 5) / {}))", name, w), ten);
+      EXPECT_TRUE(found.flaws.empty()) << w;
+      const std::vector<double>& kinks = *name == 'x' ? found.kinks_x : found.kinks_y;
+      EXPECT_TRUE((*name == 'x' ? found.kinks_y : found.kinks_x).empty()) << w;
+      ASSERT_EQ(kinks.size(), 2U) << w << ' ' << name;
+      EXPECT_NEAR(kinks[0], 5.0, 4e-15) << w;
+      EXPECT_NEAR(kinks[1], 5.0 + width, 4e-15) << w;
+    }
+    const GraphFlaws crossing = flaws_of(fmt::format("min(1, max(0, (x - 5) / {0})) * min({0}, abs(y - 3))", w), ten);
+    EXPECT_TRUE(crossing.flaws.empty()) << w;
+    EXPECT_EQ(crossing.kinks_x.size(), 2U) << w;
+    EXPECT_EQ(crossing.kinks_y.size(), 3U) << w;
+  }
+}
+
+TEST(GraphFlaws, AChoiceThatBendsNothingIsNoKink) {
+  for (const char* const formula : {"abs(x)^3", "max(0, x - 0.2)^2", "x > 0.3 ? x : x", "min(x, x)", "abs(abs(x)^3)",
+                                    "floor(x / 7) + x", "abs(x - x) + y"}) {
+    const GraphFlaws found = flaws_of(formula, {{-1, -1}, {0.9, 1}});
+    EXPECT_TRUE(found.kinks_x.empty() && found.kinks_y.empty()) << formula;
+  }
+}
+
+TEST(GraphFlaws, ManyChoicesAlongALineAreAllFound) {
+  const GraphFlaws found = flaws_of("abs(sin(300 * x)) + abs(x - floor(x) - 0.5)", {{0.01, 0}, {3.5, 1}});
+  // Noughts of the sine, and whole numbers and a half; at whole ones both meet again and there is no jump.
+  std::vector<double> wanted{0.5, 1.0, 1.5, 2.0, 2.5, 3.0};
+  for (int i = 1; i * std::numbers::pi / 300.0 < 3.5; ++i) wanted.push_back(i * std::numbers::pi / 300.0);
+  std::sort(wanted.begin(), wanted.end());
+  ASSERT_EQ(found.kinks_x.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found.kinks_x[i], wanted[i], 1e-12);
+}
+
+TEST(GraphFlaws, AJumpBetweenThePlacesOfTheNetIsFound) {
+  for (const char* const formula : {"x > 0.2 && x < 0.2000003 ? 1 : 0", "floor(1e6 * (x - 0.2)) == 0 ? y + 2 : 0"})
+    EXPECT_TRUE(has(flaws_of(formula), GraphFlawKind::Jump)) << formula;
+}
+
+TEST(GraphFlaws, NarrowRampsThatRunElsewhereAreTold) {
+  const geom::Box ten{{-5, -5}, {5, 5}};
+  for (const double width : widths) {
+    for (const char* const along : {"x - 0.3 * y - 0.7137", "sqrt(x^2 + y^2) - 2.137", "x^2 + y^2 - 3.37"}) {
+      const GraphFlaws found = flaws_of(fmt::format("min(1, max(0, ({}) / {}))", along, width), ten);
+      EXPECT_TRUE(has(found, GraphFlawKind::Kink)) << along << ' ' << width;
+      EXPECT_TRUE(found.kinks_x.empty() && found.kinks_y.empty()) << along << ' ' << width;
+    }
+  }
 }
 
 TEST(GraphFlaws, AKinkThatRunsElsewhereIsTold) {

@@ -3,6 +3,7 @@
 
 #include "tests/support/narrow_peaks.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,6 +73,20 @@ TEST(NarrowPeaks, AreasOfTrimmedFacesSeeThem) {
     loop.edges[2] = {*Curve::line({2, 3, 0}, {-3, 3, 0})};
     loop.edges.insert(loop.edges.begin() + 2, {*Curve::line({3, 2, 0}, {2, 3, 0})});
     EXPECT_NEAR(trim::area(face).value, each.area - 0.5, 2e-6 * each.area) << each.formula;
+  }
+}
+
+/// A ramp from 0 to 1 over a width: what it adds to the plane, by its length, is length (sqrt(1 + width^2) - width).
+const std::vector<double> ramps{1.0, 0.1, 0.03, 3e-3, 3e-4, 3e-6};
+
+TEST(NarrowPeaks, RampsBetweenKinksHaveTheirArea) {
+  for (const double width : ramps) {
+    const double wanted = 36.0 + 6.0 * (std::hypot(1.0, width) - width);
+    for (const char* const name : {"x", "y"}) {
+      const Surface graph = *Surface::graph(fmt::format("min(1, max(0, ({} - 1) / {}))", name, width), six);
+      EXPECT_NEAR(area(graph, 1e-9).value, wanted, 1e-8 * wanted) << name << ' ' << width;
+      EXPECT_NEAR(trim::area(framed(graph)).value, wanted, 1e-8 * wanted) << name << ' ' << width;
+    }
   }
 }
 
