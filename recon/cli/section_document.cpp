@@ -62,6 +62,9 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   DOBRA_TRY(input::Import import, input::import_lines(work.features));
   for (const std::string& remark : import.remarks) session.note(remark);
   write_tables(std::move(import.lines), options.repair.gaps.value_or(0.0), document.input);
+  // Ends have been moved here; the section must not take it that nothing was said of them.
+  if (const scenario::Value* const snap = section.lines.find("snap_to_faults"))
+    document.input.set("snap_to_faults", *snap);
   if (work.trace || options.fold_axis) {
     const auto [left, right] = io::lines::ends_of(options.fold_axis ? io::lines::azimuth_of(*options.fold_axis)
                                                                     : io::lines::azimuth_of(*work.trace));

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "recon/input/items.h"
+#include "recon/section/file_rounding.h"
+#include "shared/geom/place.h"
 #include "shared/io/formats/repair.h"
 
 namespace recon::input {
@@ -41,11 +44,79 @@ base::Result<void> take_polygons(const std::vector<io::lines::Feature>& features
   return {};
 }
 
+/// The lines of a section that end on each other: horizons, faults, topographies, the border.
+class EndingLines {
+ public:
+  explicit EndingLines(section::Section& section) {
+    for (section::Horizon& horizon : section.horizons) add("horizon", whole_name(horizon), horizon.line);
+    for (section::SectionLine& line : section.lines) {
+      if (line.kind == section::LineKind::Fault) add("fault", line.name, line.line);
+      if (line.kind == section::LineKind::Topography) add("topography", line.name, line.line);
+    }
+    if (section.border) add("border", "border", *section.border);
+  }
+  std::vector<io::lines::Feature> features;  ///< Called as their wholes.
+  void take() {
+    for (std::size_t i = 0; i < lines_.size(); ++i) *lines_[i] = features[i].parts.front();
+  }
+
+ private:
+  void add(const char* kind, const std::string& name, geom::Polyline& line) {
+    features.push_back(feature_of(io::lines::FeatureType::Lines, kind, name, line));
+    lines_.push_back(&line);
+  }
+  std::vector<geom::Polyline*> lines_;
+};
+
+/// Ends that no more than the rounding of the coordinates has parted from the line that they end on. Faults part what
+/// ends on them, whatever else is near; so they come first. Where polygons say what the units are, nothing is moved.
+base::Result<void> join_rounded_ends(ReadSection& read) {
+  section::Section& section = read.section;
+  const double diagonal = box_of(section).diagonal();
+  constexpr double joined = 1e-9;  // of the diagonal: what is nearer is joined where faces are made
+  io::formats::RepairOptions options;
+  options.snap = rounding_of_coordinates(section);
+  options.on_line = joined * diagonal;
+  if (*options.snap <= options.on_line || !section.units.empty()) return {};
+  using io::lines::Feature;
+  const auto is_fault = [](const Feature& line) { return line.kind == "fault"; };
+  const auto ends_at_side = [](const Feature& line) { return line.kind == "horizon" || line.kind == "fault"; };
+  EndingLines lines(section);
+  std::vector<io::formats::Repair> repairs;
+  for (const auto& may : std::vector<std::function<bool(const Feature&, const Feature&)>>{
+           [&](const Feature&line, const Feature&onto) { return is_fault(line) && is_fault(onto); },
+           [&](const Feature&line, const Feature&onto) { return line.kind == "horizon" && is_fault(onto); },
+           [&](const Feature&line, const Feature&onto) {
+             return ends_at_side(line) && !is_fault(onto) && (line.kind != onto.kind || line.name != onto.name);
+           }}) {
+    options.may_snap = may;
+    DOBRA_TRY(const std::vector<io::formats::Repair> done, io::formats::repair(lines.features, options));
+    repairs.insert(repairs.end(), done.begin(), done.end());
+  }
+  if (repairs.empty()) return {};
+  const double decimal = *last_decimal(section);
+  lines.take();
+  const auto farthest =
+      std::max_element(repairs.begin(), repairs.end(), [](const auto& a, const auto& b) { return a.moved < b.moved; });
+  read.remarks.push_back(
+      repairs.size() == 1
+          ? fmt::format("1 end of a line lay beside the line that it ends on, no farther than the coordinates are "
+                        "rounded, to {:g} m, and is joined to it: moved {:.3g} m, at {}; snap_to_faults = 0 leaves it "
+                        "apart",
+                        decimal, farthest->moved, farthest->at)
+          : fmt::format("{} ends of lines lay beside the lines that they end on, no farther than the coordinates are "
+                        "rounded, to {:g} m, and are joined to them: moved up to {:.3g} m, the farthest at {}; "
+                        "snap_to_faults = 0 leaves them apart",
+                        repairs.size(), decimal, farthest->moved, farthest->at));
+  return {};
+}
+
 }  // namespace
 
 base::Result<void> mend(const SectionInput& input, ReadSection& read) {
+  if (!input.snap_to_faults) DOBRA_TRY_VOID(join_rounded_ends(read));
   io::formats::RepairOptions options;
-  if (input.snap_to_faults > 0.0) options.snap = input.snap_to_faults;
+  if (input.snap_to_faults.value_or(0.0) > 0.0) options.snap = input.snap_to_faults;
   if (input.share_edges > 0.0) options.edges = input.share_edges;
   if (input.slivers > 0.0) options.slivers = input.slivers;
   if (!options.snap && !options.edges && !options.slivers) return {};

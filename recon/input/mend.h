@@ -6,7 +6,9 @@
 
 namespace recon::input {
 
-/// Mends what the input asks for; what was done is added to the remarks.
+/// Mends what the input asks for, and where it says nothing of ends at faults, joins those ends to faults, horizons,
+/// topographies and the border that the rounding of the coordinates has parted from them (rounding_of_coordinates);
+/// what was done is added to the remarks.
 /// @error those of io::formats::repair; BadSection: a polygon that crosses itself once its vertices are moved.
 base::Result<void> mend(const SectionInput& input, ReadSection& read);
 

@@ -83,7 +83,7 @@ struct SectionInput {
   AboveTopography above_topography = AboveTopography::Leave;
   base::Angle curve_angle = base::Angle::from_degrees(5.0);
   std::optional<double> curve_length;
-  double snap_to_faults = 0.0;
+  std::optional<double> snap_to_faults;  ///< Not said: what rounding has parted is joined.
   double share_edges = 0.0;
   double slivers = 0.0;
   std::vector<double> trace;
@@ -140,7 +140,7 @@ struct SectionInput {
             {.title = "Turn of a chord of a curve", .unit = "deg", .above = 0.0, .at_most = 90.0});
     d.field("curve_length", &SectionInput::curve_length,
             {.title = "Longest chord of a curve", .unit = "m", .above = 0.0});
-    keys.snap_to_faults();
+    keys.snap_to_faults(0.0);
     keys.share_edges();
     keys.slivers();
     keys.trace();

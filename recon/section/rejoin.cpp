@@ -79,14 +79,20 @@ void rejoin_ends(Section& section, double reach) {
   }
   const std::size_t faults = lines.size();
   for (Horizon& horizon : section.horizons) add(horizon.line);
+  const std::size_t beds = lines.size();
+  for (SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Topography) add(line.line);
+  }
+  if (section.border) add(*section.border);
+  const std::span<const Line> all(lines);
   std::vector<LineEndAt> ends;
-  for (const Line& own : lines) {
+  for (const Line& own : all.first(beds)) {
     for (const bool first : {true, false}) {
       if (own.line->closed) continue;
       LineEndAt end{own.line, first};
-      // Faults part what ends on them, whatever else meets there.
-      if (find_line({lines.data(), faults}, reach, end) ||
-          find_line({lines.data() + faults, lines.size() - faults}, reach, end))
+      // Faults part what ends on them, whatever else meets there; what bounds the section comes last.
+      if (find_line(all.first(faults), reach, end) || find_line(all.subspan(faults, beds - faults), reach, end) ||
+          find_line(all.subspan(beds), reach, end))
         ends.push_back(end);
     }
   }

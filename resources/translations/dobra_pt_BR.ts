@@ -2164,8 +2164,8 @@
         <translation>leave: o que foi erodido é tracejado e não é restaurado; restore: o horizonte inteiro é restaurado.</translation>
     </message>
     <message>
-        <source>Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none.</source>
-        <translation>Extremidades de horizontes mais próximas de uma falha que isto são movidas para ela, com uma observação; 0: nenhuma.</translation>
+        <source>Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none. Left out, a section joins those that its rounded coordinates have parted.</source>
+        <translation>Extremidades de horizontes mais próximas de uma falha que isto são movidas para ela, com uma observação; 0: nenhuma. Sem valor, uma seção une as que suas coordenadas arredondadas separaram.</translation>
     </message>
     <message>
         <source>Their vertices nearer than this to a line or another polygon are moved onto it; 0: none.</source>

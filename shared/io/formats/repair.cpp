@@ -9,6 +9,7 @@
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/io/formats/point_order.h"
+#include "shared/io/formats/snap_ends.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::formats {
@@ -241,85 +242,6 @@ void join_gaps(std::vector<lines::Feature>& features, const RepairOptions& optio
                 [](const lines::Feature& f) { return f.type == lines::FeatureType::Lines && f.parts.empty(); });
 }
 
-// --- ends at faults
-
-struct OnFault {
-  std::size_t feature = 0;
-  std::size_t part = 0;
-  std::size_t segment = 0;
-  Point point;
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-OnFault nearest_fault(const std::vector<lines::Feature>& features, Point p, double tolerance) {
-  OnFault best;
-  for (std::size_t f = 0; f < features.size(); ++f) {
-    if (features[f].kind != "fault" || features[f].type != lines::FeatureType::Lines) continue;
-    for (std::size_t k = 0; k < features[f].parts.size(); ++k) {
-      const Polyline& line = features[f].parts[k];
-      for (std::size_t s = 0; s < line.segment_count(); ++s) {
-        const geom::Segment segment = line.segment(s);
-        const Point foot = geom::interpolate(segment.from, segment.to, geom::nearest_fraction(segment, p));
-        const double d = geom::distance(p, foot);
-        if (d < best.distance && d < tolerance) best = {f, k, s, foot, d};
-      }
-    }
-  }
-  return best;
-}
-
-// Makes the point a vertex of the fault, so that both share it.
-void put_into(Polyline& fault, const OnFault& at) {
-  const geom::Segment segment = fault.segment(at.segment);
-  if (at.point == segment.from || at.point == segment.to) return;
-  fault.points.insert(fault.points.begin() + static_cast<std::ptrdiff_t>(at.segment) + 1, at.point);
-}
-
-// Cuts off what overshoots the fault by less than the tolerance, so that the end is moved back, not folded over.
-void trim_overshoot(std::vector<Point>& points, const Polyline& fault, double tolerance) {
-  double way = 0.0;
-  for (std::size_t i = points.size() - 1; i > 0 && way < tolerance; --i) {
-    for (std::size_t s = 0; s < fault.segment_count(); ++s) {
-      const auto met = geom::intersect({points[i - 1], points[i]}, fault.segment(s));
-      if (met.kind != geom::IntersectionKind::Point) continue;
-      if (way + geom::distance(met.start.point, points[i]) >= tolerance) continue;
-      points.resize(i + 1);
-      points[i] = met.start.point;
-      return;
-    }
-    way += geom::distance(points[i - 1], points[i]);
-  }
-}
-
-void snap_ends(std::vector<lines::Feature>& features, double tolerance, Repairs& repairs) {
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    lines::Feature& feature = features[i];
-    if (feature.type != lines::FeatureType::Lines || feature.kind == "fault") continue;
-    for (Polyline& part : feature.parts) {
-      for (const bool front : {true, false}) {
-        if (front) std::reverse(part.points.begin(), part.points.end());
-        const Point end = part.points.back();
-        OnFault at = nearest_fault(features, end, tolerance);
-        if (at.distance > 0.0 && std::isfinite(at.distance)) {
-          trim_overshoot(part.points, features[at.feature].parts[at.part], tolerance);
-          at = nearest_fault(features, part.points.back(), tolerance);
-          const bool vanishes = part.points.size() == 2 && part.points.front() == at.point;
-          if (!vanishes) {
-            part.points.back() = at.point;
-            part = geom::without_repeated_points(std::move(part));
-            put_into(features[at.feature].parts[at.part], at);
-            const double moved = geom::distance(end, at.point);
-            repairs.push_back({"snap", label_of(feature, i + 1),
-                               fmt::format("an end moved onto {}", label_of(features[at.feature], at.feature + 1)),
-                               at.point, moved});
-          }
-        }
-        if (front) std::reverse(part.points.begin(), part.points.end());
-      }
-    }
-  }
-}
-
 // --- edges that polygons share
 
 /// The sides of some parts, to be asked for the nearest one, and to take new vertices.
@@ -515,7 +437,13 @@ Result<std::vector<Repair>> repair(std::vector<lines::Feature>& features, const 
   if (options.order == PointOrder::AlongTheCurve) DOBRA_TRY_VOID(order_points(features, repairs));
   if (options.duplicates) drop_duplicates(features, *options.duplicates, repairs);
   if (options.gaps) join_gaps(features, options, repairs);
-  if (options.snap) snap_ends(features, *options.snap, repairs);
+  if (options.snap) {
+    for (const SnappedEnd& end : snap_ends(features, options)) {
+      repairs.push_back({"snap", label_of(features[end.feature], end.feature + 1),
+                         fmt::format("an end moved onto {}", label_of(features[end.onto], end.onto + 1)), end.at,
+                         end.moved});
+    }
+  }
   if (options.edges) share_edges(features, *options.edges, repairs);
   if (options.slivers) remove_slivers(features, *options.slivers, repairs);
   return repairs;

@@ -29,6 +29,9 @@ struct RepairOptions {
   /// Asked before two ends are joined, nearest ones first; without it all may be.
   std::function<bool(const PartEnd&, const PartEnd&)> may_join = {};
   std::optional<double> snap = std::nullopt;  ///< Ends of lines nearer than this to a fault are moved onto it.
+  /// Of which lines the ends are moved onto which; without it those of all but faults onto faults.
+  std::function<bool(const lines::Feature& line, const lines::Feature& onto)> may_snap = {};
+  double on_line = 0.0;  ///< What is no farther than this from such a line lies on it, and stays as it is.
   /// Vertices of polygons nearer than this to a line or to an earlier polygon are moved onto it, and both get the
   /// vertex.
   std::optional<double> edges = std::nullopt;

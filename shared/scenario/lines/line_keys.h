@@ -119,9 +119,13 @@ class LineKeys {
     length("join_gaps", of(&P::join_gaps), "Join gaps below",
            "Parts of the same name whose ends are nearer become one line; 0: none.");
   }
-  void snap_to_faults() {
-    length("snap_to_faults", of(&P::snap_to_faults), "Snap ends to faults",
-           "Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none.");
+  /// @param at_least  0 where 0 says another thing than nothing does.
+  void snap_to_faults(std::optional<double> at_least = std::nullopt) {
+    length(
+        "snap_to_faults", of(&P::snap_to_faults), "Snap ends to faults",
+        "Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none. Left out, a section "
+        "joins those that its rounded coordinates have parted.",
+        at_least);
   }
   void share_edges() {
     length("share_edges", of(&P::share_edges), "Make polygons share edges",
@@ -150,8 +154,9 @@ class LineKeys {
     d_.choice(key, member, names, with_condition(options));
   }
   template <class T>
-  void length(const char* key, T P::*member, const char* title, const char* help) {
-    FieldOptions options{.title = title, .help = help, .unit = "m"};
+  void length(const char* key, T P::*member, const char* title, const char* help,
+              std::optional<double> at_least = std::nullopt) {
+    FieldOptions options{.title = title, .help = help, .unit = "m", .at_least = at_least};
     if constexpr (std::is_same_v<T, double>) options.at_least = 0.0;  // else the repair refuses what is not above 0
     d_.field(key, member, with_condition(options));
   }
