@@ -1,6 +1,7 @@
 // 1. One tree of triangles for each face; where those of two faces meet otherwise than in common nodes and sides is
-//    found by the contacts of shared/solid.
-// 2. Each meeting is judged: a crossing, an overlap, or neither.
+//    found by the contacts of shared/solid. Each meeting is a crossing, or it is none.
+// 2. A second tree, of boxes grown by what triangles are off their surfaces and by the gap up to which surfaces lie on
+//    each other, gives the pairs that may overlap.
 // 3. Of each pair of faces the first of either counts.
 #include "quebra/surfaces/crossing_doubts.h"
 
@@ -25,6 +26,13 @@ namespace quebra::surfaces {
 using namespace dobra;
 
 namespace {
+
+/// Surfaces nearer than this part of the smaller one's size lie on each other. Files of six digits keep no smaller gap,
+/// and no two shells stand so near: they would be thinner than a hundred thousandth of their size.
+constexpr double same_place = 1e-5;
+/// Surfaces whose curvatures differ by more than this, over the smaller one's size, touch along a line or in a point:
+/// they are within that gap in a strip of less than a thirtieth of the size.
+constexpr double same_bend = 0.1;
 
 using Weights = std::array<double, 3>;
 
@@ -93,8 +101,44 @@ std::vector<geom::Point3> common_part(const Triangle& own, const Triangle& other
   return part;
 }
 
+/// What a surface bends along the first, the second and both of two unit steps, 1/m, to the side of `side`.
+std::optional<std::array<double, 3>> bends(const surf::Jet& jet, geom::Vector3 first, geom::Vector3 second,
+                                           geom::Vector3 side) {
+  const auto normal = surf::normal(jet);
+  if (!normal) return std::nullopt;
+  const surf::Metric m = surf::metric(jet);
+  const double square = m.e * m.g - m.f * m.f;
+  const auto in_chart = [&](geom::Vector3 step) {
+    const double u = dot(step, jet.u), v = dot(step, jet.v);
+    return geom::Vector{(m.g * u - m.f * v) / square, (m.e * v - m.f * u) / square};
+  };
+  const geom::Vector a = in_chart(first), b = in_chart(second);
+  const double way = dot(*normal, side) < 0.0 ? -1.0 : 1.0;
+  const auto form = [&](geom::Vector p, geom::Vector q) {
+    return way * dot(*normal, p.x * q.x * jet.uu + (p.x * q.y + p.y * q.x) * jet.uv + p.y * q.y * jet.vv);
+  };
+  return std::array{form(a, a), form(b, b), form(a, b)};
+}
+
+/// By how much the curvatures of both surfaces differ there, 1/m; 0 where one has none.
+double differing_bend(const surf::Jet& own, const surf::Jet& other) {
+  const auto side = surf::normal(own);
+  if (!side) return 0.0;
+  const geom::Vector3 first = own.u / geom::length(own.u), second = cross(*side, first);
+  const auto a = bends(own, first, second, *side), b = bends(other, first, second, *side);
+  if (!a || !b) return 0.0;
+  return std::hypot((*a)[0] - (*b)[0], (*a)[1] - (*b)[1], std::sqrt(2.0) * ((*a)[2] - (*b)[2]));
+}
+
+struct Nearness {
+  double strip = 0.0;  ///< What is covered in a width up to this counts for nothing, m.
+  double gap = 0.0;    ///< Up to which surfaces lie on each other, m.
+  double size = 0.0;   ///< Of the smaller one, m.
+  double room = 0.0;   ///< How far apart the planes of the triangles can be where the surfaces lie so, m.
+};
+
 /// A place that both surfaces cover, if they do at three places of what both triangles cover.
-std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, double tolerance) {
+std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, const Nearness& near) {
   const std::vector<geom::Point3> part = common_part(own, other);
   if (part.size() < 3) return std::nullopt;
   geom::Vector3 sum{}, twice{};
@@ -105,13 +149,16 @@ std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, 
     twice = twice + cross(p - part[0], q - part[0]);
     round += geom::length(q - p);
   }
-  if (geom::length(twice) <= tolerance * round) return std::nullopt;  // a strip of that width
+  if (geom::length(twice) <= near.strip * round) return std::nullopt;
   const geom::Point3 middle = part[0] + sum / static_cast<double>(part.size());
+  if (std::abs(dot(middle - other.at[0], other.normal())) > near.room) return std::nullopt;
   for (std::size_t k = 0; k < 3; ++k) {
     const geom::Point3 p = middle + 0.5 * (part[k * part.size() / 3] - middle);
-    const geom::Point3 on_own = own.face->surface.at(own.place(own.weights(p)));
-    if (closest(other.face->surface, on_own, other.place(other.weights(on_own))).distance > tolerance)
-      return std::nullopt;
+    const geom::Point place = own.place(own.weights(p));
+    const surf::Jet on_own = own.face->surface.jet(place);
+    const surf::Foot foot = closest(other.face->surface, on_own.at, other.place(other.weights(on_own.at)));
+    if (foot.distance > near.gap) return std::nullopt;
+    if (differing_bend(on_own, other.face->surface.jet(foot.uv)) * near.size > same_bend) return std::nullopt;
   }
   return middle;
 }
@@ -155,9 +202,20 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
   }
   std::vector<std::vector<std::uint32_t>> triangles(face_count);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles[owner[mesh.faces[t]]].push_back(t);
-  std::vector<solid::BoxTree> trees;
+  std::vector<solid::BoxTree> trees, grown;
+  std::vector<double> sizes, room;  // of each face and each facet, m
+  const auto triangle_of = [&](std::uint32_t t) {
+    Triangle made{.at = {}, .places = mesh.places[t], .face = &charts[mesh.faces[t]]};
+    for (std::size_t i = 0; i < 3; ++i) made.at[i] = mesh.point(mesh.triangles[t][i]);
+    return made;
+  };
   for (const auto& list : triangles) {
     const auto first = static_cast<std::uint32_t>(soup.facets.size());
+    geom::Box3 of_face;
+    for (const std::uint32_t t : list) {
+      for (const auto corner : mesh.triangles[t]) of_face.add(mesh.point(corner));
+    }
+    sizes.push_back(list.empty() ? 0.0 : of_face.diagonal());
     for (const std::uint32_t t : list) {
       std::array<solid::PointId, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = points[mesh.triangles[t][i].index()];
@@ -166,39 +224,43 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
       soup.begin(soup.space.add(solid::Plane{.through = {at(0), at(1), at(2)}, .constant = std::nullopt}), 0, t);
       soup.begin_loop();
       for (const solid::PointId corner : corners) soup.add_corner(corner, {});
+      room.push_back(2.0 * triangle_of(t).off() + 0.5 * same_place * sizes.back());
     }
-    trees.emplace_back(soup, first, static_cast<std::uint32_t>(soup.facets.size()));
+    const auto end = static_cast<std::uint32_t>(soup.facets.size());
+    trees.emplace_back(soup, first, end);
+    grown.emplace_back(soup, first, end, std::span(room).subspan(first));
   }
   soup.inner.assign(trees.size(), solid::Inner::Trusted);
   const solid::Contacts meetings = solid::contacts(soup, trees);
 
   const double tolerance = 1e-6 * box.diagonal();
-  const auto triangle = [&](std::uint32_t facet) {
-    const std::uint32_t t = soup.facets[facet].name;
-    Triangle made{.at = {}, .places = mesh.places[t], .face = &charts[mesh.faces[t]]};
-    for (std::size_t i = 0; i < 3; ++i) made.at[i] = mesh.point(mesh.triangles[t][i]);
-    return made;
-  };
+  const auto triangle = [&](std::uint32_t facet) { return triangle_of(soup.facets[facet].name); };
+  const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[soup.facets[facet].name]]; };
   Pairs found;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> looks;
-  const auto judge = [&](std::uint32_t f, std::uint32_t g, std::optional<geom::Point3> met) {
-    const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[soup.facets[facet].name]]; };
+  for (const auto& [f, g, at] : meetings.inside) {
     const std::pair faces = std::minmax({face(f), face(g)});
-    if (found.crossing.contains(faces) && found.overlapping.contains(faces)) return;
+    if (found.crossing.contains(faces)) continue;
     const Triangle a = triangle(f), b = triangle(g);
-    if (met && !found.crossing.contains(faces)) {
-      const double depth = std::min(a.depth(b), b.depth(a));
-      constexpr std::size_t most_looks = 300;  // where faces only touch there are many
-      const double off = 2.0 * (a.off() + b.off());
-      if (depth > tolerance &&
-          (depth > off || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance)))))
-        found.crossing.emplace(faces, *met);
+    const double depth = std::min(a.depth(b), b.depth(a));
+    constexpr std::size_t most_looks = 300;  // where faces only touch there are many
+    const double off = 2.0 * (a.off() + b.off());
+    if (depth > tolerance &&
+        (depth > off || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance)))))
+      found.crossing.emplace(faces, soup.space.rounded(at));
+  }
+  for (std::size_t i = 0; i < grown.size(); ++i) {
+    for (std::size_t j = i + 1; j < grown.size(); ++j) {
+      const double size = std::min(sizes[i], sizes[j]);
+      grown[i].pairs(grown[j], [&](std::uint32_t f, std::uint32_t g) {
+        if (found.overlapping.contains({i, j})) return;
+        const Nearness near{
+            .strip = tolerance, .gap = same_place * size, .size = size, .room = 2.0 * (room[f] + room[g])};
+        if (const auto place = overlap(triangle(f), triangle(g), near))
+          found.overlapping.emplace(std::pair(i, j), *place);
+      });
     }
-    if (found.overlapping.contains(faces)) return;
-    if (const auto place = overlap(a, b, tolerance)) found.overlapping.emplace(faces, *place);
-  };
-  for (const auto& [f, g] : meetings.coplanar) judge(f, g, std::nullopt);
-  for (const solid::Contacts::Inside& pair : meetings.inside) judge(pair.f, pair.g, soup.space.rounded(pair.at));
+  }
   return found;
 }
 

@@ -12,9 +12,10 @@ namespace quebra::surfaces {
 /// Two faces cross where triangles of theirs do, exactly, and deeper than these are off their surfaces, or where the
 /// surface over one of them has places on both sides of the other: faces that only touch, such as pipes laid against
 /// each other, do not. They overlap where triangles lie over each other and their
-/// surfaces, at three places of what both cover, are nearer than a millionth of the diagonal of all.
+/// surfaces, at three places of what both cover, are nearer than a hundred thousandth of the smaller one's diagonal and
+/// bend alike: faces that touch along a line do not.
 /// @param charts  the surfaces of the mesh; owner: of which face of the set each of them is
-/// @cost  O((n + pairs of triangles of two faces whose boxes overlap) log n)
+/// @cost  O((n + pairs of triangles of two faces whose boxes, grown by what they are off, overlap) log n)
 void doubt_crossings(model::SurfaceMeshed& meshed, const model::SurfaceSet& set,
                      std::span<const dobra::surf::trim::TrimmedSurface> charts, std::span<const std::size_t> owner);
 

@@ -1,6 +1,7 @@
 // Surfaces that cut through or cover each other are told with a place on what they have in common, known in closed
 // form; those that meet in lines, touch, or only come near are not.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -121,6 +122,29 @@ TEST(CrossingDoubts, PlatesOfOnePlaneThatCoverEachOtherAreTold) {
   }
 }
 
+/// Nearer than 1e-5 of the smaller one's diagonal, here 5 sqrt(2): whichever is first, whatever the unit, and wherever
+/// they stand beside what is far larger.
+TEST(CrossingDoubts, PlatesThatLieOnEachOtherAreTold) {
+  const auto sheet = [](const std::string& name, double side, double from, double z) {
+    return surface(
+        name, "plane",
+        fmt::format("u = [0, {0:.17g}]\nv = [0, {0:.17g}]\norigin = [{1:.17g}, {1:.17g}, {2:.17g}]", side, from, z));
+  };
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    const std::string base = sheet("base", 10.0 * unit, 0.0, 0.0);
+    for (const double z : {0.0, 1e-7, 1e-6, 1e-5, 5e-5, -5e-5}) {
+      const std::string patch = sheet("patch", 5.0 * unit, 2.0 * unit, z * unit);
+      EXPECT_THAT(codes(base + patch, unit), ElementsAre("surfaces_overlap")) << z << ' ' << unit;
+      EXPECT_THAT(codes(patch + base, unit), ElementsAre("surfaces_overlap")) << z << ' ' << unit;
+    }
+    for (const double z : {1e-4, 1e-3, -1e-3}) {
+      const std::string patch = sheet("patch", 5.0 * unit, 2.0 * unit, z * unit);
+      EXPECT_THAT(codes(base + patch, unit), IsEmpty()) << z << ' ' << unit;
+      EXPECT_THAT(codes(base + patch + sheet("far", unit, 1e3 * unit, 0.0), unit), IsEmpty()) << z << ' ' << unit;
+    }
+  }
+}
+
 TEST(CrossingDoubts, SheetsOfOneCylinderThatCoverEachOtherAreTold) {
   for (const double size : {0.2, 0.5}) {
     EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0, "[0, 200]") + pipe("b", 1.0, 0.0, 0.0, "[170, 300]", "[1, 7]"), size),
@@ -163,6 +187,13 @@ TEST(CrossingDoubts, WhatTouchesOrComesNearIsNotTold) {
     EXPECT_THAT(codes(plate + web("0.01", "3"), size), IsEmpty()) << "above";
     EXPECT_THAT(codes(plate + pipe("lying", 1.0, 5.0, 1.0), size), IsEmpty()) << "pipe on a plate";
   }
+}
+
+/// Triangles of a side of a twentieth are nearer to the plate than 1e-5 of its size where the pipe touches it.
+TEST(CrossingDoubts, APipeThatTouchesAPlateDoesNotLieOnIt) {
+  const std::string small = surface("plate", "plane", "u = [4, 6]\nv = [4, 6]\n");
+  EXPECT_THAT(codes(small + pipe("lying", 1.0, 5.0, 1.0, "[250, 290]", "[4, 6]"), 0.05), IsEmpty());
+  EXPECT_THAT(codes(small + pipe("lying", 1.0, 5.0, 1.0, "[265, 275]", "[4, 4.2]"), 0.01), IsEmpty());
 }
 
 TEST(CrossingDoubts, OneSurfaceHasNone) {
