@@ -66,6 +66,9 @@ struct Triangle {
       most = std::max(most, std::abs(dot(face->surface.at(place(w)) - point(w), normal())));
     return most;
   }
+  [[nodiscard]] double longest_side() const {
+    return std::max({distance(at[0], at[1]), distance(at[1], at[2]), distance(at[2], at[0])});
+  }
   /// How far it reaches to the side of `other`'s plane where it reaches less, m.
   [[nodiscard]] double depth(const Triangle& other) const {
     const geom::Vector3 n = other.normal();
@@ -163,6 +166,13 @@ std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, 
   return middle;
 }
 
+/// The sine of the angle at which the surfaces stand to each other there; 1 where one has no normal.
+double tilt(const Triangle& own, const Triangle& other, geom::Point3 place) {
+  const auto normal = [&](const Triangle& t) { return surf::normal(t.face->surface, t.place(t.weights(place))); };
+  const auto a = normal(own), b = normal(other);
+  return a && b ? geom::length(cross(*a, *b)) : 1.0;
+}
+
 /// Whether the surface over a triangle has places on both sides of the other one's, farther off than the tolerance and
 /// over its face.
 bool passes(const Triangle& own, const Triangle& other, double tolerance) {
@@ -176,7 +186,9 @@ bool passes(const Triangle& own, const Triangle& other, double tolerance) {
       if (foot.distance <= tolerance) continue;
       const auto normal = surf::normal(other.face->surface, foot.uv);
       if (!normal || !contains(*other.face, foot.uv)) continue;
-      (dot(p - foot.at, *normal) > 0.0 ? above : below) = true;
+      const double height = dot(p - foot.at, *normal);
+      if (std::abs(height) < 0.9 * foot.distance) continue;  // no perpendicular: it lies beside the face
+      (height > 0.0 ? above : below) = true;
     }
   }
   return above && below;
@@ -245,9 +257,11 @@ Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::Tri
     const double depth = std::min(a.depth(b), b.depth(a));
     constexpr std::size_t most_looks = 300;  // where faces only touch there are many
     const double off = 2.0 * (a.off() + b.off());
-    if (depth > tolerance &&
-        (depth > off || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance)))))
-      found.crossing.emplace(faces, soup.space.rounded(at));
+    if (depth <= tolerance) continue;
+    const geom::Point3 place = soup.space.rounded(at);
+    const bool clear = depth > off && tilt(a, b, place) * std::min(a.longest_side(), b.longest_side()) > off;
+    if (clear || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance))))
+      found.crossing.emplace(faces, place);
   }
   for (std::size_t i = 0; i < grown.size(); ++i) {
     for (std::size_t j = i + 1; j < grown.size(); ++j) {

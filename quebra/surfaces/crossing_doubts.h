@@ -9,7 +9,8 @@
 namespace quebra::surfaces {
 
 /// Tells "surfaces_cross" and "surfaces_overlap": how many pairs of faces, and the first with both names and a place.
-/// Two faces cross where triangles of theirs do, exactly, and deeper than these are off their surfaces, or where the
+/// Two faces cross where triangles of theirs do, exactly, and deeper than these are off their surfaces, which stand at
+/// such an angle there too, or where the
 /// surface over one of them has places on both sides of the other: faces that only touch, such as pipes laid against
 /// each other, do not. They overlap where triangles lie over each other and their
 /// surfaces, at three places of what both cover, are nearer than a hundred thousandth of the smaller one's diagonal and

@@ -60,7 +60,7 @@ std::string web(const std::string& low, const std::string& high) {
 std::string pipe(const std::string& name, double radius, double y, double z, const std::string& u = "[0, 360]",
                  const std::string& v = "[0, 8]") {
   return surface(name, "cylinder",
-                 "axis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = " + v + "\nradius = " + std::to_string(radius) +
+                 "axis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = " + v + "\nradius = " + fmt::format("{:.17g}", radius) +
                      "\nu = " + u + "\norigin = [0, " + std::to_string(y) + ", " + std::to_string(z) + "]");
 }
 
@@ -143,6 +143,19 @@ TEST(CrossingDoubts, PlatesThatLieOnEachOtherAreTold) {
       EXPECT_THAT(codes(base + patch + sheet("far", unit, 1e3 * unit, 0.0), unit), IsEmpty()) << z << ' ' << unit;
     }
   }
+}
+
+TEST(CrossingDoubts, SheetsOfTwoCylindersThatLieOnEachOtherAreTold) {
+  // Diagonal of the smaller one, 30 degrees of radius 1 and 1 long: sqrt(1 + (2 sin 15)^2) = 1.126. Triangles of sheets
+  // farther apart cut through each other where they are made otherwise, and the sheets do not.
+  const auto sheets = [](double radius) {
+    return codes(pipe("a", 1.0, 0.0, 0.0, "[0, 60]", "[0, 2]") + pipe("b", radius, 0.0, 0.0, "[20, 50]", "[0.5, 1.5]"),
+                 0.2);
+  };
+  for (const double off : {1e-6, -1e-6, 1e-5, -1e-5})
+    EXPECT_THAT(sheets(1.0 + off), ElementsAre("surfaces_overlap")) << off;
+  for (const double off : {2e-5, -2e-5, 1e-4, -1e-4, 1e-3, -1e-3, 0.01, -0.01})
+    EXPECT_THAT(sheets(1.0 + off), IsEmpty()) << off;
 }
 
 TEST(CrossingDoubts, SheetsOfOneCylinderThatCoverEachOtherAreTold) {
