@@ -366,8 +366,10 @@ Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
   const bool solid = said.find("closed") != nullptr;
   const mesh::Closedness wanted = solid ? mesh::Closedness::Solid : mesh::Closedness::Sheet;
   if (format_of(file, Use::ReadPolygons) != nullptr) {
-    DOBRA_TRY(const mesh::PolygonMesh polygons, io::formats::read_polygons(file));
-    return of_polygons(polygons, wanted);
+    DOBRA_TRY(const io::formats::PolygonsAndRemarks read, io::formats::read_polygons_told(file));
+    Verdict verdict = of_polygons(read.mesh, wanted);
+    for (const io::Remark& remark : read.remarks) verdict.remarks.push_back(to_string(remark));
+    return verdict;
   }
   if (io::formats::check_boundary_ending(file).ok()) {
     DOBRA_TRY(const mesh::PolygonMesh polygons, io::formats::read_boundary(file));

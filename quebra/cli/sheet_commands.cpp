@@ -58,13 +58,23 @@ bool holds_shells(const io::formats::Format& format) {
 }
 
 /// Boundaries as solids have them, all other files of polygons in space, and elements on a surface.
-Result<dobra::mesh::PolygonMesh> read_sheet(const std::string& path) {
+Result<io::formats::PolygonsAndRemarks> read_sheet(const std::string& path) {
   const io::formats::Format* format = io::formats::format_of(path, io::formats::Use::ReadMesh);
   if (format == nullptr || io::formats::format_of(path, io::formats::Use::ReadPolygons) != nullptr)
-    return io::formats::read_polygons(path);
-  if (!holds_shells(*format)) return io::formats::read_boundary(path);
+    return io::formats::read_polygons_told(path);
+  if (!holds_shells(*format)) {
+    DOBRA_TRY(dobra::mesh::PolygonMesh boundary, io::formats::read_boundary(path));
+    return io::formats::PolygonsAndRemarks{std::move(boundary), {}};
+  }
   DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh_in_space(path));
-  return io::meshes::polygons_of(contents.mesh, contents.heights);
+  return io::formats::PolygonsAndRemarks{io::meshes::polygons_of(contents.mesh, contents.heights), {}};
+}
+
+/// What was said of the file comes before what is found.
+void put_remarks(const std::vector<io::Remark>& remarks, std::vector<surf::mesh::Finding>& findings) {
+  std::vector<surf::mesh::Finding> all;
+  for (const io::Remark& remark : remarks) all.push_back({"units_converted", remark.message, remark.place});
+  findings.insert(findings.begin(), all.begin(), all.end());
 }
 
 std::vector<std::string> sheet_endings() {
@@ -166,10 +176,11 @@ Result<int> parametrise_job(Session& session, const ParametriseCommand& command)
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
+  DOBRA_TRY(const io::formats::PolygonsAndRemarks sheet, read_sheet(command.file.string()));
   auto charted = surf::remesh::chart_mesh(
-      mesh, {.weights = params.weights, .border = params.border, .stones = {.turn = params.corner.degrees()}});
+      sheet.mesh, {.weights = params.weights, .border = params.border, .stones = {.turn = params.corner.degrees()}});
   if (!charted) return base::located(charted.error(), {.file = command.file.string()});
+  put_remarks(sheet.remarks, charted->findings);
   const auto& chart = charted->parametrisation;
   Json json;
   json["stones"] = chart.stones.size();
@@ -285,10 +296,11 @@ Result<int> remesh_job(Session& session, const RemeshCommand& command) {
     DOBRA_TRY_VOID(dobra::cli::check_writable(*command.out));
   }
   const Stopwatch watch;
-  DOBRA_TRY(const dobra::mesh::PolygonMesh mesh, read_sheet(command.file.string()));
+  DOBRA_TRY(const io::formats::PolygonsAndRemarks sheet, read_sheet(command.file.string()));
   const double read = watch.seconds();
-  auto made = surf::remesh::remesh(mesh, options, session.progress());
+  auto made = surf::remesh::remesh(sheet.mesh, options, session.progress());
   if (!made) return base::located(made.error(), {.file = command.file.string()});
+  put_remarks(sheet.remarks, made->findings);
   const double meshed = watch.seconds();
   Json json = figures_of(*made);
   if (command.out) {

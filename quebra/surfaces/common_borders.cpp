@@ -12,6 +12,7 @@
 
 #include "shared/base/disjoint_sets.h"
 #include "shared/surf/closest.h"
+#include "shared/surf/measure.h"
 #include "shared/surf/trim/rings.h"
 
 namespace quebra::surfaces {
@@ -26,6 +27,9 @@ using surf::trim::TrimmedSurface;
 namespace {
 
 constexpr int steps = 64;  // of an edge, to see where it runs
+/// A border that ends nearer to another face than this part of the smaller one's size was meant to meet it: a web
+/// drawn to the side of a plate instead of its middle, or a number with a digit too few.
+constexpr double ends_beside = 1e-3;
 
 struct Box3 {
   Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -52,12 +56,19 @@ class Border {
     }
   }
   [[nodiscard]] std::size_t face() const { return face_; }
+  [[nodiscard]] const surf::Surface& surface() const { return *surface_; }
   [[nodiscard]] const ChartEdge& edge() const { return edge_; }
   /// Of a line inside its face, not of a loop.
   [[nodiscard]] bool inside() const { return inside_; }
   [[nodiscard]] const Box3& box() const { return box_; }
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] Point3 at(double t) const { return surface_->at(edge_.at(parameter(t))); }
+  /// Where it is in the chart, and which way it runs in space.
+  [[nodiscard]] std::pair<geom::Point, Vector3> place(double t) const {
+    const surf::Curve::Jet chart = edge_.curve.jet(parameter(t));
+    const surf::Jet jet = surface_->jet({chart.at.x, chart.at.y});
+    return {{chart.at.x, chart.at.y}, chart.first.x * jet.u + chart.first.y * jet.v};
+  }
   [[nodiscard]] Point3 start() const { return at_.front(); }
   [[nodiscard]] Point3 end() const { return at_.back(); }
 
@@ -96,10 +107,8 @@ class Border {
   }
   /// Whether the distance to p still falls with t.
   [[nodiscard]] bool falls(double t, Point3 p) const {
-    const surf::Curve::Jet chart = edge_.curve.jet(parameter(t));
-    const surf::Jet jet = surface_->jet({chart.at.x, chart.at.y});
-    const Vector3 way = chart.first.x * jet.u + chart.first.y * jet.v;
-    return dot(jet.at - p, way) * (edge_.to - edge_.from) < 0.0;
+    const auto [uv, way] = place(t);
+    return dot(surface_->at(uv) - p, way) * (edge_.to - edge_.from) < 0.0;
   }
 
   std::size_t face_;
@@ -287,34 +296,82 @@ class Sharing {
     }
   }
 
-  /// Borders that lie on another face and are not joined to it.
+  /// Borders that lie on another face and are not joined to it, and those that end beside one.
   void tell_unjoined(std::vector<Finding>& findings) const {
-    constexpr int places = 16;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const surf::Surface& surface = faces_[f].surface;
       const Box3 box = box_of(surface);
       const std::vector<surf::trim::Ring> rings = surf::trim::rings_of(faces_[f]);
+      const double size = size_of(f);
       for (std::size_t i = 0; i < borders_.size(); ++i) {
         const Border& border = borders_[i];
         if (border.face() == f || border.inside() || shared_[i] != 0 || a_point(border)) continue;
         if (!border.box().near(box, 0.1 * surface.size())) continue;
-        std::optional<Point3> before;
-        for (int k = 0; k < places; ++k) {
-          const Point3 p = border.at((k + 0.5) / places);
-          const bool on = lies_on(surface, rings, p);
-          if (on && before) {
-            findings.push_back(
-                {"border_not_joined",
-                 fmt::format("a border of '{0}' lies on '{1}' and is not joined to it: give '{1}' a line "
-                             "of role `internal` there, as by kind = \"surface\" and tool = \"{0}\"",
-                             faces_[border.face()].name, faces_[f].name),
-                 base::Place{.x = p.x, .y = p.y, .z = p.z}});
-            break;
-          }
-          before = on ? std::optional(p) : std::nullopt;
-        }
+        if (auto finding = unjoined(border, f, rings, std::min(size, size_of(border.face()))))
+          findings.push_back(*std::move(finding));
       }
     }
+  }
+  [[nodiscard]] std::optional<Finding> unjoined(const Border& border, std::size_t f,
+                                                const std::vector<surf::trim::Ring>& rings, double size) const {
+    constexpr int places = 16;
+    constexpr int run = places / 4;  // of places one after the other that are near
+    const double near = ends_beside * size;
+    std::optional<Point3> before;
+    int beside = 0;
+    std::optional<Finding> found;
+    for (int k = 0; k < places; ++k) {
+      const double t = (k + 0.5) / places;
+      const Point3 p = border.at(t);
+      const surf::Foot foot = surf::closest_of_all(faces_[f].surface, p);
+      const double gap = geom::distance(faces_[f].surface.at(foot.uv), p);
+      const bool close = gap <= std::max(tolerance_, near) && covers(rings, foot.uv);
+      const bool on = close && gap <= tolerance_;
+      if (on && before) {
+        return Finding{"border_not_joined",
+                       fmt::format("a border of '{0}' lies on '{1}' and is not joined to it: give '{1}' a line "
+                                   "of role `internal` there, as by kind = \"surface\" and tool = \"{0}\"",
+                                   faces_[border.face()].name, faces_[f].name),
+                       base::Place{.x = p.x, .y = p.y, .z = p.z}};
+      }
+      before = on ? std::optional(p) : std::nullopt;
+      beside = close && !on && leaves(border, t, faces_[f].surface, size) ? beside + 1 : 0;
+      if (beside == run && !found) {
+        found =
+            Finding{"border_near_surface",
+                    fmt::format("a border of '{0}' ends {2:.3g} m from '{1}' and does not meet it: if they are meant "
+                                "to be joined, end it there and give '{1}' a line of role `internal`",
+                                faces_[border.face()].name, faces_[f].name, gap),
+                    base::Place{.x = p.x, .y = p.y, .z = p.z}};
+      }
+    }
+    return found;
+  }
+  /// Whether the face of a border goes away from a surface that the border is beside: a tenth of the size across it,
+  /// it is four of the widest gaps farther off. Plates that lie along each other do not.
+  [[nodiscard]] static bool leaves(const Border& border, double t, const surf::Surface& surface, double size) {
+    const auto [uv, way] = border.place(t);
+    const surf::Jet jet = border.surface().jet(uv);
+    const auto normal = surf::normal(jet);
+    if (!normal || geom::length(way) == 0.0) return false;
+    const Vector3 across = (0.1 * size / geom::length(way)) * cross(*normal, way);
+    const surf::Metric m = surf::metric(jet);
+    const double u = dot(across, jet.u), v = dot(across, jet.v), square = m.e * m.g - m.f * m.f;
+    const geom::Vector step{(m.g * u - m.f * v) / square, (m.e * v - m.f * u) / square};
+    const geom::Box& chart = border.surface().chart();
+    const double gap = surf::closest_of_all(surface, jet.at).distance;
+    return std::ranges::any_of(std::array{step, -1.0 * step}, [&](geom::Vector by) {
+      const geom::Point to{std::clamp(uv.x + by.x, chart.low.x, chart.high.x),
+                           std::clamp(uv.y + by.y, chart.low.y, chart.high.y)};
+      return surf::closest_of_all(surface, border.surface().at(to)).distance > gap + 4.0 * ends_beside * size;
+    });
+  }
+  [[nodiscard]] double size_of(std::size_t face) const {
+    Box3 box;
+    for (const Border& border : borders_) {
+      if (border.face() == face) box.add(border.box().low), box.add(border.box().high);
+    }
+    return box.low.x <= box.high.x ? box.diagonal() : box_of(faces_[face].surface).diagonal();
   }
   [[nodiscard]] static Box3 box_of(const surf::Surface& surface) {
     constexpr int places = 16;
@@ -327,11 +384,9 @@ class Sharing {
     }
     return box;
   }
-  [[nodiscard]] bool lies_on(const surf::Surface& surface, const std::vector<surf::trim::Ring>& rings, Point3 p) const {
-    const surf::Foot foot = surf::closest_of_all(surface, p);
-    if (geom::distance(surface.at(foot.uv), p) > tolerance_) return false;
-    const std::vector<double> at = surf::trim::meets(rings, foot.uv.y);
-    return std::count_if(at.begin(), at.end(), [&](double u) { return u < foot.uv.x; }) % 2 == 1;
+  [[nodiscard]] static bool covers(const std::vector<surf::trim::Ring>& rings, geom::Point uv) {
+    const std::vector<double> at = surf::trim::meets(rings, uv.y);
+    return std::count_if(at.begin(), at.end(), [&](double u) { return u < uv.x; }) % 2 == 1;
   }
 
   std::vector<TrimmedSurface>& faces_;

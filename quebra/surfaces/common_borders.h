@@ -18,7 +18,8 @@ struct CommonBorderOptions {
 /// face (cracks left out) along which another face ends; edges that end inside another one cut it there. Tells
 /// "borders_joined": how many, and the widest gap where it is above 1e-9 of the diagonal; "borders_near" with the
 /// place: edges of two faces that run beside each other within 100 tolerances; "border_not_joined": one that lies on
-/// another face without a line there.
+/// another face without a line there; "border_near_surface": one that ends beside another face, along a quarter of it
+/// at least nearer than a thousandth of the smaller face, from which its own goes away.
 /// @cost O(edges^2) tests of boxes, and closest points for those that overlap.
 void share_borders(std::vector<dobra::surf::trim::TrimmedSurface>& faces,
                    std::vector<dobra::surf::mesh::Finding>& findings, const CommonBorderOptions& options = {});

@@ -1,6 +1,7 @@
 // 1. One tree of triangles for each face; where those of two faces meet otherwise than in common nodes and sides is
-//    found by the contacts of shared/solid.
-// 2. Each meeting is judged: a crossing, an overlap, or neither.
+//    found by the contacts of shared/solid. Each meeting is a crossing, or it is none.
+// 2. A second tree, of boxes grown by what triangles are off their surfaces and by the gap up to which surfaces lie on
+//    each other, gives the pairs that may overlap.
 // 3. Of each pair of faces the first of either counts.
 // 4. Within one face the same is done with triangles that have no corner in common and that no plane of either parts.
 #include "quebra/surfaces/crossing_doubts.h"
@@ -28,6 +29,13 @@ namespace quebra::surfaces {
 using namespace dobra;
 
 namespace {
+
+/// Surfaces nearer than this part of the smaller one's size lie on each other. Files of six digits keep no smaller gap,
+/// and no two shells stand so near: they would be thinner than a hundred thousandth of their size.
+constexpr double same_place = 1e-5;
+/// Surfaces whose curvatures differ by more than this, over the smaller one's size, touch along a line or in a point:
+/// they are within that gap in a strip of less than a thirtieth of the size.
+constexpr double same_bend = 0.1;
 
 using Weights = std::array<double, 3>;
 
@@ -60,6 +68,9 @@ struct Triangle {
     for (const Weights& w : {Weights{third, third, third}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}})
       most = std::max(most, std::abs(dot(face->surface.at(place(w)) - point(w), normal())));
     return most;
+  }
+  [[nodiscard]] double longest_side() const {
+    return std::max({distance(at[0], at[1]), distance(at[1], at[2]), distance(at[2], at[0])});
   }
   /// How far it reaches to the side of `other`'s plane where it reaches less, m.
   [[nodiscard]] double depth(const Triangle& other) const {
@@ -96,8 +107,44 @@ std::vector<geom::Point3> common_part(const Triangle& own, const Triangle& other
   return part;
 }
 
+/// What a surface bends along the first, the second and both of two unit steps, 1/m, to the side of `side`.
+std::optional<std::array<double, 3>> bends(const surf::Jet& jet, geom::Vector3 first, geom::Vector3 second,
+                                           geom::Vector3 side) {
+  const auto normal = surf::normal(jet);
+  if (!normal) return std::nullopt;
+  const surf::Metric m = surf::metric(jet);
+  const double square = m.e * m.g - m.f * m.f;
+  const auto in_chart = [&](geom::Vector3 step) {
+    const double u = dot(step, jet.u), v = dot(step, jet.v);
+    return geom::Vector{(m.g * u - m.f * v) / square, (m.e * v - m.f * u) / square};
+  };
+  const geom::Vector a = in_chart(first), b = in_chart(second);
+  const double way = dot(*normal, side) < 0.0 ? -1.0 : 1.0;
+  const auto form = [&](geom::Vector p, geom::Vector q) {
+    return way * dot(*normal, p.x * q.x * jet.uu + (p.x * q.y + p.y * q.x) * jet.uv + p.y * q.y * jet.vv);
+  };
+  return std::array{form(a, a), form(b, b), form(a, b)};
+}
+
+/// By how much the curvatures of both surfaces differ there, 1/m; 0 where one has none.
+double differing_bend(const surf::Jet& own, const surf::Jet& other) {
+  const auto side = surf::normal(own);
+  if (!side) return 0.0;
+  const geom::Vector3 first = own.u / geom::length(own.u), second = cross(*side, first);
+  const auto a = bends(own, first, second, *side), b = bends(other, first, second, *side);
+  if (!a || !b) return 0.0;
+  return std::hypot((*a)[0] - (*b)[0], (*a)[1] - (*b)[1], std::sqrt(2.0) * ((*a)[2] - (*b)[2]));
+}
+
+struct Nearness {
+  double strip = 0.0;  ///< What is covered in a width up to this counts for nothing, m.
+  double gap = 0.0;    ///< Up to which surfaces lie on each other, m.
+  double size = 0.0;   ///< Of the smaller one, m.
+  double room = 0.0;   ///< How far apart the planes of the triangles can be where the surfaces lie so, m.
+};
+
 /// A place that both surfaces cover, if they do at three places of what both triangles cover.
-std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, double tolerance) {
+std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, const Nearness& near) {
   const std::vector<geom::Point3> part = common_part(own, other);
   if (part.size() < 3) return std::nullopt;
   geom::Vector3 sum{}, twice{};
@@ -108,26 +155,33 @@ std::optional<geom::Point3> overlap(const Triangle& own, const Triangle& other, 
     twice = twice + cross(p - part[0], q - part[0]);
     round += geom::length(q - p);
   }
-  if (geom::length(twice) <= tolerance * round) return std::nullopt;  // a strip of that width
+  if (geom::length(twice) <= near.strip * round) return std::nullopt;
   const geom::Point3 middle = part[0] + sum / static_cast<double>(part.size());
+  if (std::abs(dot(middle - other.at[0], other.normal())) > near.room) return std::nullopt;
   for (std::size_t k = 0; k < 3; ++k) {
     const geom::Point3 p = middle + 0.5 * (part[k * part.size() / 3] - middle);
-    const geom::Point3 on_own = own.face->surface.at(own.place(own.weights(p)));
-    if (closest(other.face->surface, on_own, other.place(other.weights(on_own))).distance > tolerance)
-      return std::nullopt;
+    const geom::Point place = own.place(own.weights(p));
+    const surf::Jet on_own = own.face->surface.jet(place);
+    const surf::Foot foot = closest(other.face->surface, on_own.at, other.place(other.weights(on_own.at)));
+    if (foot.distance > near.gap) return std::nullopt;
+    if (differing_bend(on_own, other.face->surface.jet(foot.uv)) * near.size > same_bend) return std::nullopt;
   }
   return middle;
 }
 
-/// Whether a foot is a perpendicular's, over a triangle or next to it: elsewhere on its own surface says nothing.
-bool stands_by(const surf::Foot& foot, geom::Vector3 normal, geom::Point3 p, const Triangle& triangle) {
-  constexpr double beside = 0.5, upright = 0.99;
+/// Whether a place of the chart is over a triangle or next to it: elsewhere on its own surface a foot says nothing.
+bool is_beside(geom::Point uv, const Triangle& triangle) {
+  constexpr double beside = 0.5;
   const geom::Box box = geom::box_of(triangle.places);
   const double u = beside * box.width(), v = beside * box.height();
-  if (foot.uv.x < box.low.x - u || foot.uv.x > box.high.x + u || foot.uv.y < box.low.y - v ||
-      foot.uv.y > box.high.y + v)
-    return false;
-  return std::abs(dot(p - foot.at, normal)) >= upright * foot.distance;
+  return uv.x >= box.low.x - u && uv.x <= box.high.x + u && uv.y >= box.low.y - v && uv.y <= box.high.y + v;
+}
+
+/// The sine of the angle at which the surfaces stand to each other there; 1 where one has no normal.
+double tilt(const Triangle& own, const Triangle& other, geom::Point3 place) {
+  const auto normal = [&](const Triangle& t) { return surf::normal(t.face->surface, t.place(t.weights(place))); };
+  const auto a = normal(own), b = normal(other);
+  return a && b ? geom::length(cross(*a, *b)) : 1.0;
 }
 
 /// Whether the surface over a triangle has places on both sides of the other one's, farther off than the tolerance and
@@ -143,8 +197,11 @@ bool passes(const Triangle& own, const Triangle& other, double tolerance, bool o
       if (foot.distance <= tolerance) continue;
       const auto normal = surf::normal(other.face->surface, foot.uv);
       if (!normal || !contains(*other.face, foot.uv)) continue;
-      if (of_one_face && !stands_by(foot, *normal, p, other)) continue;
-      (dot(p - foot.at, *normal) > 0.0 ? above : below) = true;
+      const double height = dot(p - foot.at, *normal);
+      const double upright = of_one_face ? 0.99 : 0.9;
+      if (std::abs(height) < upright * foot.distance) continue;  // no perpendicular: it lies beside the face
+      if (of_one_face && !is_beside(foot.uv, other)) continue;
+      (height > 0.0 ? above : below) = true;
     }
   }
   return above && below;
@@ -166,7 +223,7 @@ class Facets {
 
   /// A tree of some triangles; those without area are left out.
   void add_tree(std::span<const std::uint32_t> triangles) {
-    const auto first = static_cast<std::uint32_t>(soup_.facets.size());
+    firsts_.push_back(size());
     for (const std::uint32_t t : triangles) {
       std::array<solid::PointId, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = point(t, i);
@@ -176,9 +233,19 @@ class Facets {
       soup_.begin_loop();
       for (const solid::PointId corner : corners) soup_.add_corner(corner, {});
     }
-    trees_.emplace_back(soup_, first, static_cast<std::uint32_t>(soup_.facets.size()));
+    trees_.emplace_back(soup_, firsts_.back(), size());
   }
   [[nodiscard]] const std::vector<solid::BoxTree>& trees() const { return trees_; }
+  /// The trees once more, each facet's box grown by its room.
+  [[nodiscard]] std::vector<solid::BoxTree> grown_trees(std::span<const double> room) const {
+    std::vector<solid::BoxTree> grown;
+    for (std::size_t i = 0; i < firsts_.size(); ++i) {
+      const std::uint32_t end = i + 1 < firsts_.size() ? firsts_[i + 1] : size();
+      grown.emplace_back(soup_, firsts_[i], end, room.subspan(firsts_[i]));
+    }
+    return grown;
+  }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(soup_.facets.size()); }
   [[nodiscard]] std::uint32_t triangle(std::uint32_t facet) const { return soup_.facets[facet].name; }
   [[nodiscard]] geom::Point3 rounded(solid::PointId p) const { return soup_.space.rounded(p); }
   /// Both lips of a crack have one.
@@ -204,6 +271,7 @@ class Facets {
   const surf::mesh::SurfaceMesh& mesh_;
   solid::Soup soup_;
   std::vector<solid::PointId> points_;
+  std::vector<std::uint32_t> firsts_;  // the first facet of each tree
   std::vector<solid::BoxTree> trees_;
 };
 
@@ -280,28 +348,46 @@ std::map<std::size_t, geom::Point3> crossing_themselves(const surf::mesh::Surfac
 Pairs judged(const model::SurfaceMeshed& meshed, std::span<const surf::trim::TrimmedSurface> charts,
              std::span<const std::size_t> owner, Facets& all) {
   const surf::mesh::SurfaceMesh& mesh = meshed.mesh;
-  const solid::Contacts meetings = all.contacts(solid::Inner::Trusted);
   const double tolerance = tolerance_of(mesh);
+  const auto triangle = [&](std::uint32_t facet) { return triangle_of(mesh, charts, all.triangle(facet)); };
+  const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[all.triangle(facet)]]; };
   Pairs found;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> looks;
-  const auto judge = [&](std::uint32_t f, std::uint32_t g, std::optional<geom::Point3> met) {
-    const auto face = [&](std::uint32_t facet) { return owner[mesh.faces[all.triangle(facet)]]; };
+  for (const auto& [f, g, at] : all.contacts(solid::Inner::Trusted).inside) {
     const std::pair faces = std::minmax({face(f), face(g)});
-    if (found.crossing.contains(faces) && found.overlapping.contains(faces)) return;
-    const Triangle a = triangle_of(mesh, charts, all.triangle(f)), b = triangle_of(mesh, charts, all.triangle(g));
-    if (met && !found.crossing.contains(faces)) {
-      const double depth = std::min(a.depth(b), b.depth(a));
-      constexpr std::size_t most_looks = 300;  // where faces only touch there are many
-      const double off = 2.0 * (a.off() + b.off());
-      if (depth > tolerance &&
-          (depth > off || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance)))))
-        found.crossing.emplace(faces, *met);
+    if (found.crossing.contains(faces)) continue;
+    const Triangle a = triangle(f), b = triangle(g);
+    const double depth = std::min(a.depth(b), b.depth(a));
+    constexpr std::size_t most_looks = 300;  // where faces only touch there are many
+    const double off = 2.0 * (a.off() + b.off());
+    if (depth <= tolerance) continue;
+    const geom::Point3 place = all.rounded(at);
+    const bool clear = depth > off && tilt(a, b, place) * std::min(a.longest_side(), b.longest_side()) > off;
+    if (clear || (looks[faces]++ < most_looks && (passes(a, b, tolerance) || passes(b, a, tolerance))))
+      found.crossing.emplace(faces, place);
+  }
+
+  std::vector<geom::Box3> boxes(all.trees().size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const auto corner : mesh.triangles[t]) boxes[owner[mesh.faces[t]]].add(mesh.point(corner));
+  }
+  const auto size_of = [&](std::size_t i) { return boxes[i].diagonal(); };
+  std::vector<double> room;  // of each facet, m
+  for (std::uint32_t f = 0; f < all.size(); ++f)
+    room.push_back(2.0 * triangle(f).off() + 0.5 * same_place * size_of(face(f)));
+  const std::vector<solid::BoxTree> grown = all.grown_trees(room);
+  for (std::size_t i = 0; i < grown.size(); ++i) {
+    for (std::size_t j = i + 1; j < grown.size(); ++j) {
+      const double size = std::min(size_of(i), size_of(j));
+      grown[i].pairs(grown[j], [&](std::uint32_t f, std::uint32_t g) {
+        if (found.overlapping.contains({i, j})) return;
+        const Nearness near{
+            .strip = tolerance, .gap = same_place * size, .size = size, .room = 2.0 * (room[f] + room[g])};
+        if (const auto place = overlap(triangle(f), triangle(g), near))
+          found.overlapping.emplace(std::pair(i, j), *place);
+      });
     }
-    if (found.overlapping.contains(faces)) return;
-    if (const auto place = overlap(a, b, tolerance)) found.overlapping.emplace(faces, *place);
-  };
-  for (const auto& [f, g] : meetings.coplanar) judge(f, g, std::nullopt);
-  for (const solid::Contacts::Inside& pair : meetings.inside) judge(pair.f, pair.g, all.rounded(pair.at));
+  }
   return found;
 }
 

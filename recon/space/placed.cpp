@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "recon/section/file_rounding.h"
 #include "shared/geom/place.h"
 #include "shared/scenario/document.h"
 
@@ -98,10 +99,12 @@ Result<void> check_over_trace(const PlacedSection& placed) {
                            box.low.x, box.high.x, length)};
 }
 
-/// What lies beside the trace is placed on its end pieces, gone on. Told where it leaves the trace.
+/// What lies beside the trace is placed on its end pieces, gone on. Told where it leaves the trace by more than files
+/// round.
 void tell_beyond(const PlacedSection& placed, std::vector<base::Finding>& findings) {
   const geom::Box box = box_of(placed.section);
-  const double length = placed.trace.length(), same = 1e-9 * length;
+  const double length = placed.trace.length();
+  const double same = std::max(1e-9 * length, section::rounding_of_files(placed.section));
   const double before = -box.low.x, behind = box.high.x - length;
   const double beyond = std::max(before, behind);
   if (beyond <= same) return;

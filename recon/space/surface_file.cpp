@@ -25,8 +25,6 @@ using io::formats::Use;
 
 namespace {
 
-constexpr const char* polygons_of_vtk = ".vtp";
-
 mesh::PolygonMesh polygons_of(const loft::JoinedMesh& joined) {
   mesh::PolygonMesh made{joined.points, {}};
   for (const auto& t : joined.triangles) made.faces.push_back({t[0], t[1], t[2]});
@@ -113,14 +111,10 @@ bool is_format(const std::string& path, std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> surface_endings() {
-  std::vector<std::string> endings = io::formats::endings_for(Use::WriteSpaceMesh);
-  endings.emplace_back(polygons_of_vtk);
-  return endings;
-}
+std::vector<std::string> surface_endings() { return io::formats::endings_for(Use::WriteSpaceMesh); }
 
 Result<void> check_surface_ending(const std::string& path) {
-  if (io::formats::format_of(path, Use::WriteSpaceMesh) != nullptr || io::ending_of(path) == polygons_of_vtk) return {};
+  if (io::formats::format_of(path, Use::WriteSpaceMesh) != nullptr) return {};
   return base::Error{base::ErrorCode::BadUsage,
                      fmt::format("{}: surfaces are written to {}", path, fmt::join(surface_endings(), " "))};
 }
@@ -136,7 +130,7 @@ Result<void> write_surfaces(const std::string& path, const MadeSurfaces& surface
   }
   const AllFaces all = all_faces(surfaces);
   if (is_format(path, "obj")) return io::formats::write_boundary(path, all.mesh, groups_of(all));
-  if (io::ending_of(path) != polygons_of_vtk) return write_elements(path, all);
+  if (!is_format(path, "vtp")) return write_elements(path, all);
   DOBRA_TRY(const std::string text, io::meshes::vtp_text(all.mesh, all.fields));
   return io::write_text(path, text);
 }

@@ -2712,6 +2712,10 @@
         <translation>VTK</translation>
     </message>
     <message>
+        <source>VTK: polygons</source>
+        <translation>VTK: polígonos</translation>
+    </message>
+    <message>
         <source>gmsh 4.1</source>
         <translation>gmsh 4.1</translation>
     </message>

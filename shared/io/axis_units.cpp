@@ -28,4 +28,6 @@ AxisUnits axis_units(std::string_view text) {
   return units;
 }
 
+std::string_view name_of_unit(double metres) { return metres == 1.0 ? "m" : metres == 1000.0 ? "km" : "ft"; }
+
 }  // namespace dobra::io

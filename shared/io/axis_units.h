@@ -14,5 +14,7 @@ struct AxisUnits {
 };
 /// @param text  what follows the key: three units, with or without quotes, with blanks inside them or not.
 AxisUnits axis_units(std::string_view text);
+/// "m", "km" or "ft". @pre one of those in AxisUnits::metres
+std::string_view name_of_unit(double metres);
 
 }  // namespace dobra::io

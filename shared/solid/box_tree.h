@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "shared/solid/soup.h"
@@ -24,6 +25,9 @@ struct Box3 {
       low[i] = std::min(low[i], other.low[i]);
       high[i] = std::max(high[i], other.high[i]);
     }
+  }
+  void grow(double by) {
+    for (std::size_t i = 0; i < 3; ++i) low[i] -= by, high[i] += by;
   }
   /// Room for what rounding hides.
   void include(const Space& space, PointId p) {
@@ -46,13 +50,15 @@ struct Box3 {
 class BoxTree {
  public:
   /// Over the facets [first, end) of the soup.
-  BoxTree(const Soup& soup, std::uint32_t first, std::uint32_t end) {
+  /// @param room  by how much the box of each of them is grown; empty: by nothing
+  BoxTree(const Soup& soup, std::uint32_t first, std::uint32_t end, std::span<const double> room = {}) {
     std::vector<Box3> boxes(end - first);
     std::vector<Middle> middles;
     middles.reserve(end - first);
     for (std::uint32_t f = first; f < end; ++f) {
       Box3& box = boxes[f - first];
       for (const PointId p : soup.corners_of(soup.facets[f])) box.include(soup.space, p);
+      if (!room.empty()) box.grow(room[f - first]);
       middles.push_back({{box.low[0] + box.high[0], box.low[1] + box.high[1], box.low[2] + box.high[2]}, f - first});
     }
     nodes_.reserve(boxes.size());

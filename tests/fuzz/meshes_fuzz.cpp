@@ -1,20 +1,26 @@
-// libFuzzer target: the readers of meshes. Byte 0 chooses the row of the table of formats, the rest is the file.
+// libFuzzer target: the readers of meshes. Byte 0 chooses the row of the table of formats, or one of polygons
+// in space as they stand; the rest is the file.
 // Whatever the bytes: an error with a message, or a mesh that can be written, and read and written again to the same
 // bytes; polygon meshes are checked.
 
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shared/io/formats/format.h"
 #include "shared/io/meshes/inp.h"
-#include "shared/io/meshes/polygon_file.h"
+#include "shared/mesh/polygon_mesh.h"
 
 namespace {
 
 using namespace dobra;
 namespace formats = io::formats;
+
+/// Formats of polygons, from byte 255 downwards.
+constexpr std::string_view polygon_files[] = {"off", "obj", "ply", "vtp", "tsurf"};
 
 /// The row's writer, but numbers of .inp with all their digits: those of twenty columns are rounded each time.
 base::Result<std::string> written_text(const formats::Format& format, const mesh::ElementMesh& mesh) {
@@ -46,8 +52,11 @@ void go_round(std::string text, const formats::Format& format) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  if (data[0] >= 254) {
-    const auto polygons = data[0] == 254 ? io::meshes::parse_obj(text, "f") : io::meshes::parse_off(text, "f");
+  if (data[0] > 255 - std::size(polygon_files)) {
+    const formats::Format* const format =
+        formats::format_named(polygon_files[255 - data[0]], formats::Use::ReadPolygons);
+    if (format == nullptr) std::abort();
+    const auto polygons = format->mesh->polygons(text, "f");
     if (!polygons.ok() && polygons.error().message.empty()) std::abort();
     if (polygons.ok()) check(*polygons, mesh::Closedness::Solid);
     return 0;

@@ -1,6 +1,6 @@
-// What windows look like: situations in English and light, and in Portuguese and dark, written as pictures into the folder `situations`
-// of the build, to be looked at. The tests read off what a program can: that no words are cut off, and that the view is
-// drawn. QT_SCALE_FACTOR=2 shows them at 200 %.
+// What windows look like: situations in English and light, and in Portuguese and dark, written as pictures into the
+// folder `situations` of the build, to be looked at. The tests read off what a program can: that no words are cut off,
+// and that the view is drawn. QT_SCALE_FACTOR=2 shows them at 200 %.
 
 #include <gtest/gtest.h>
 

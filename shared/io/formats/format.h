@@ -13,6 +13,7 @@
 #include "shared/io/lines/feature.h"
 #include "shared/io/meshes/file_elements.h"
 #include "shared/io/meshes/inp.h"
+#include "shared/io/remark.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::mesh {
@@ -97,6 +98,8 @@ struct MeshRow {
   base::Result<MeshAndFields> (*fields)(std::string_view text, const std::string& file) = nullptr;
   /// The polygons in space as they stand, to be checked; nothing: the format holds elements.
   base::Result<mesh::PolygonMesh> (*polygons)(std::string_view text, const std::string& file) = nullptr;
+  /// What `polygons` changes in what it reads; nothing: nothing.
+  std::vector<Remark> (*polygon_remarks)(std::string_view text, const std::string& file) = nullptr;
   bool binary = false;   ///< May be no text; then `parse` and `polygons` take bytes.
   bool space = false;    ///< Its nodes have a third coordinate, which is written.
   bool surface = false;  ///< Corners alone, as polygons: no sets, no regions, no nodes at mid-sides.

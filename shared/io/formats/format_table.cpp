@@ -32,6 +32,7 @@
 #include "shared/io/meshes/polygon_file.h"
 #include "shared/io/meshes/stl.h"
 #include "shared/io/meshes/tsurf.h"
+#include "shared/io/meshes/vtp.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
 
@@ -329,11 +330,31 @@ MeshRow polygon_row(std::string_view note = {}, bool binary = false) {
           .note = note};
 }
 
+MeshRow vtp_row() {
+  return {.parse = [](std::string_view text, const std::string& file) -> Result<MeshContents> {
+            DOBRA_TRY(const mesh::PolygonMesh polygons, meshes::parse_vtp(text, file));
+            DOBRA_TRY(ElementMesh mesh, meshes::elements_of(polygons, file));
+            return MeshContents{std::move(mesh), {}};
+          },
+          .text = [](const ElementMesh& mesh, InpElement, meshes::Heights heights) -> Result<std::string> {
+            DOBRA_TRY_VOID(meshes::check_writable(mesh, heights));
+            return meshes::vtp_text(meshes::polygons_of(mesh, heights));
+          },
+          .polygons = meshes::parse_vtp,
+          .space = true,
+          .surface = true,
+          .note = "<!-- {} -->\n",
+          .note_behind = "\n"};
+}
+
 MeshRow tsurf_row() {
   return {.parse = [](std::string_view text, const std::string& file) -> Result<MeshContents> {
             DOBRA_TRY(const mesh::PolygonMesh polygons, meshes::parse_tsurf(text, file));
             DOBRA_TRY(ElementMesh mesh, meshes::elements_of(polygons, file));
-            return MeshContents{std::move(mesh), {}};
+            MeshContents contents{std::move(mesh), {}};
+            for (const Remark& remark : meshes::tsurf_remarks(text, file))
+              contents.remarks.push_back(to_string(remark));
+            return contents;
           },
           .text = [](const ElementMesh& mesh, InpElement, meshes::Heights heights) -> Result<std::string> {
             DOBRA_TRY_VOID(meshes::check_writable(mesh, heights));
@@ -341,6 +362,7 @@ MeshRow tsurf_row() {
             return meshes::tsurfs_text(one);
           },
           .polygons = meshes::parse_tsurf,
+          .polygon_remarks = meshes::tsurf_remarks,
           .space = true,
           .surface = true,
           .note = "# {}\n"};
@@ -529,6 +551,14 @@ const std::vector<Format>& all_formats() {
        "corners; names and kinds of horizons and faults",
        {},
        tsurf_row()},
+      {"vtp",
+       "VTK: polygons",
+       {".vtp"},
+       "VTK's polygon data, one piece: ASCII or inline base64, uncompressed",
+       "ASCII",
+       "corners only",
+       {},
+       vtp_row()},
       {"geo",
        "gmsh: geometry",
        {".geo"},

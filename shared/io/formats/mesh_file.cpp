@@ -54,10 +54,18 @@ Result<MeshAndFields> read_fields(const std::string& path) {
   return format->mesh->fields(text, path);
 }
 
-Result<mesh::PolygonMesh> read_polygons(const std::string& path) {
+Result<PolygonsAndRemarks> read_polygons_told(const std::string& path) {
   DOBRA_TRY(const Format* const format, format_for(path, Use::ReadPolygons, "polygon meshes"));
   DOBRA_TRY(const std::string contents, contents_of(path, *format->mesh));
-  return format->mesh->polygons(contents, path);
+  DOBRA_TRY(mesh::PolygonMesh mesh, format->mesh->polygons(contents, path));
+  PolygonsAndRemarks all{std::move(mesh), {}};
+  if (format->mesh->polygon_remarks != nullptr) all.remarks = format->mesh->polygon_remarks(contents, path);
+  return all;
+}
+
+Result<mesh::PolygonMesh> read_polygons(const std::string& path) {
+  DOBRA_TRY(PolygonsAndRemarks all, read_polygons_told(path));
+  return std::move(all.mesh);
 }
 
 namespace {

@@ -32,6 +32,13 @@ base::Result<MeshAndFields> read_fields(const std::string& path);
 /// Polygons in space as they stand. @error UnknownFormat naming the endings; those of the readers.
 base::Result<mesh::PolygonMesh> read_polygons(const std::string& path);
 
+struct PolygonsAndRemarks {
+  mesh::PolygonMesh mesh;
+  std::vector<Remark> remarks;  ///< On what is not as it stands in the file, such as another unit.
+};
+/// The same with what is to be said of them.
+base::Result<PolygonsAndRemarks> read_polygons_told(const std::string& path);
+
 /// Elements that ran against most others of their region (an only element of its region: of the mesh) in the file, each
 /// with its number there and its place. A region that is clockwise as a whole is none: other programs allow that, and a
 /// remark of read_mesh tells it.

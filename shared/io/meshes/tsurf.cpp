@@ -37,6 +37,9 @@ class TSurfReader {
  public:
   TSurfReader(std::string_view text, const std::string& file) : records_(text, file) {}
 
+  /// What run() took to metres.
+  [[nodiscard]] const std::vector<Remark>& remarks() const { return remarks_; }
+
   Result<std::vector<TSurf>> run() {
     while (records_.next()) {
       const std::string key = small(records_.word(0));
@@ -122,6 +125,10 @@ class TSurfReader {
     if (units.metres.empty()) return {};
     if (units.metres.size() != units_.size()) return records_.error(1, "AXIS_UNIT needs a unit each of x, y and z");
     std::copy(units.metres.begin(), units.metres.end(), units_.begin());
+    if (units_ == std::array{1.0, 1.0, 1.0}) return {};
+    remarks_.push_back({fmt::format("x, y and z of this surface are in {}, {} and {}: they are taken to m",
+                                    name_of_unit(units_[0]), name_of_unit(units_[1]), name_of_unit(units_[2])),
+                        {.file = records_.file(), .line = records_.line_number()}});
     return {};
   }
   static constexpr std::size_t key_length = std::string_view("AXIS_UNIT").size();
@@ -155,6 +162,7 @@ class TSurfReader {
 
   Records records_;
   std::vector<TSurf> found_;
+  std::vector<Remark> remarks_;
   TSurf current_;
   std::unordered_map<std::int64_t, std::uint32_t> numbers_;
   bool inside_ = false, in_header_ = false, depth_ = false;
@@ -175,6 +183,12 @@ std::string name_text(const std::string& name) {
 Result<std::vector<TSurf>> parse_tsurfs(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
   return TSurfReader(text, file).run();
+}
+
+std::vector<Remark> tsurf_remarks(std::string_view text, const std::string& file) {
+  TSurfReader reader(text, file);
+  static_cast<void>(reader.run());
+  return reader.remarks();
 }
 
 Result<mesh::PolygonMesh> parse_tsurf(std::string_view text, const std::string& file) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/remark.h"
 #include "shared/mesh/polygon_mesh.h"
 
 namespace dobra::io::meshes {
@@ -26,6 +27,10 @@ struct TSurf {
 base::Result<std::vector<TSurf>> parse_tsurfs(std::string_view text, const std::string& file);
 /// All of them as one mesh.
 base::Result<mesh::PolygonMesh> parse_tsurf(std::string_view text, const std::string& file);
+
+/// What is taken to metres from another unit: one a surface, with the line that names its units.
+/// @pre the text was read
+std::vector<Remark> tsurf_remarks(std::string_view text, const std::string& file);
 
 /// With every digit: what is read from it gives the same text again. Faces of more than three corners are fans.
 std::string tsurfs_text(std::span<const TSurf> surfaces);

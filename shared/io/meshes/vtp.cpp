@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "shared/base/text.h"
+#include "shared/io/meshes/vtk_arrays.h"
+#include "shared/io/scan.h"
+#include "shared/io/xml.h"
 
 namespace dobra::io::meshes {
 
@@ -32,7 +37,75 @@ Result<void> add_fields(const std::vector<MeshField>& fields, std::size_t items,
   return {};
 }
 
+/// A whole number below `limit`.
+std::optional<std::size_t> index(double value, std::size_t limit) {
+  if (!(value >= 0.0) || value >= static_cast<double>(limit) || value != std::floor(value)) return std::nullopt;
+  return static_cast<std::size_t>(value);
+}
+
+/// What the piece states of them, where that is another number than it holds.
+std::optional<std::string> other_count(const VtkArrays& arrays, const char* attribute, std::size_t held) {
+  const std::string stated = arrays.piece().attribute(attribute).value();
+  const std::optional<double> count = base::parse_number(stated);
+  if (stated.empty() || (count && *count == static_cast<double>(held))) return std::nullopt;
+  return count ? stated : shown(stated);
+}
+
+Result<void> read_points(VtkArrays& arrays, mesh::PolygonMesh& mesh) {
+  DOBRA_TRY(const VtkArray array, arrays.take("Points", ""));
+  const std::vector<double>& values = array.field.values;
+  if (array.field.components != 3 || values.size() % 3 != 0)
+    return arrays.error(array.node, "points need three coordinates each");
+  if (values.size() / 3 >= std::numeric_limits<std::uint32_t>::max())
+    return arrays.error(array.node, "there are too many points");
+  for (std::size_t i = 0; i < values.size(); i += 3) mesh.points.push_back({values[i], values[i + 1], values[i + 2]});
+  if (const auto stated = other_count(arrays, "NumberOfPoints", mesh.points.size())) {
+    return arrays.error(arrays.piece(),
+                        fmt::format("the piece says {} points and holds {}", *stated, mesh.points.size()));
+  }
+  return {};
+}
+
+Result<void> read_faces(VtkArrays& arrays, mesh::PolygonMesh& mesh) {
+  DOBRA_TRY(const VtkArray corners, arrays.take("Polys", "connectivity"));
+  DOBRA_TRY(const VtkArray offsets, arrays.take("Polys", "offsets"));
+  const std::vector<double>& values = corners.field.values;
+  std::size_t at = 0;
+  for (std::size_t f = 0; f < offsets.field.values.size(); ++f) {
+    const auto end = index(offsets.field.values[f], values.size() + 1);
+    if (!end || *end < at)
+      return arrays.error(offsets.node, fmt::format("the offset of polygon {} does not fit the corners", f));
+    std::vector<std::uint32_t>& face = mesh.faces.emplace_back();
+    for (; at < *end; ++at) {
+      const auto corner = index(values[at], mesh.points.size());
+      if (!corner) return arrays.error(corners.node, fmt::format("polygon {}: there is no point {}", f, values[at]));
+      face.push_back(static_cast<std::uint32_t>(*corner));
+    }
+  }
+  if (at != values.size()) return arrays.error(corners.node, "corners follow the last polygon");
+  if (mesh.faces.empty()) return arrays.error(offsets.node, "the file holds no polygons");
+  if (const auto stated = other_count(arrays, "NumberOfPolys", mesh.faces.size())) {
+    return arrays.error(arrays.piece(),
+                        fmt::format("the piece says {} polygons and holds {}", *stated, mesh.faces.size()));
+  }
+  return {};
+}
+
 }  // namespace
+
+Result<mesh::PolygonMesh> parse_vtp(std::string_view text, const std::string& file) {
+  DOBRA_TRY(const Xml xml, Xml::parse(text, file));
+  DOBRA_TRY(VtkArrays arrays, VtkArrays::read(xml, ".vtp", "PolyData", {"Points", "Strips", "Polys"}));
+  mesh::PolygonMesh mesh;
+  DOBRA_TRY_VOID(read_points(arrays, mesh));
+  for (const VtkArray& strips : arrays.of("Strips")) {
+    if (!strips.field.values.empty())
+      return arrays.error(strips.node, "strips of triangles are not read; save them as triangles",
+                          ErrorCode::UnknownFormat);
+  }
+  DOBRA_TRY_VOID(read_faces(arrays, mesh));
+  return mesh;
+}
 
 Result<std::string> vtp_text(const mesh::PolygonMesh& mesh, const MeshFields& fields) {
   std::string text = fmt::format(

@@ -1,20 +1,15 @@
-// 1. Find the sections (Points, Cells, PointData, CellData, FieldData) and the DataArrays in each of them.
-// 2. Turn each DataArray into numbers (ASCII or base64 with a length in front).
-// 3. Build the mesh from Points and Cells; what is left are fields, "region" the regions.
+// The mesh is built from Points and Cells; what is left are fields, "region" the regions.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <map>
 #include <optional>
 
-#include "shared/base/text.h"
-#include "shared/io/base64.h"
 #include "shared/io/file.h"
 #include "shared/io/meshes/mesh_plane.h"
+#include "shared/io/meshes/vtk_arrays.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
 #include "shared/io/xml.h"
@@ -27,44 +22,16 @@ using base::Result;
 
 namespace {
 
-// Size in bytes and conversion of one binary number.
-template <class T>
-void append_as(std::string_view bytes, std::vector<double>& values) {
-  for (std::size_t i = 0; i + sizeof(T) <= bytes.size(); i += sizeof(T)) {
-    T value;
-    std::memcpy(&value, bytes.data() + i, sizeof(T));
-    values.push_back(static_cast<double>(value));
-  }
-}
-
-struct Type {
-  std::string_view name;
-  std::size_t size;
-  void (*append)(std::string_view, std::vector<double>&);
-};
-
-constexpr Type types[] = {{"Float64", 8, append_as<double>},     {"Float32", 4, append_as<float>},
-                          {"Int64", 8, append_as<std::int64_t>}, {"UInt64", 8, append_as<std::uint64_t>},
-                          {"Int32", 4, append_as<std::int32_t>}, {"UInt32", 4, append_as<std::uint32_t>},
-                          {"Int16", 2, append_as<std::int16_t>}, {"UInt16", 2, append_as<std::uint16_t>},
-                          {"Int8", 1, append_as<std::int8_t>},   {"UInt8", 1, append_as<std::uint8_t>}};
-
 constexpr std::pair<double, mesh::ElementType> element_types[] = {{5.0, mesh::ElementType::T3},
                                                                   {22.0, mesh::ElementType::T6},
                                                                   {9.0, mesh::ElementType::Q4},
                                                                   {23.0, mesh::ElementType::Q8}};
 
-struct Array {
-  MeshField field;
-  pugi::xml_node node;
-};
-
 class VtuReader {
  public:
-  VtuReader(const Xml& xml, Flatness flatness) : xml_(xml), flatness_(flatness) {}
+  VtuReader(VtkArrays arrays, Flatness flatness) : arrays_(std::move(arrays)), flatness_(flatness) {}
 
   Result<VtuContents> run() {
-    DOBRA_TRY_VOID(read_arrays());
     VtuContents contents;
     DOBRA_TRY_VOID(take_points(contents.mesh));
     DOBRA_TRY_VOID(take_elements(contents.mesh));
@@ -78,111 +45,11 @@ class VtuReader {
 
  private:
   Error error(const pugi::xml_node& at, std::string message, ErrorCode code = ErrorCode::BadFormat) const {
-    return Error{code, std::move(message), xml_.place(at)};
-  }
-
-  Result<void> read_arrays() {
-    const pugi::xml_node file = xml_.root().child("VTKFile");
-    if (!file)
-      return Error{ErrorCode::BadFormat, "not a .vtu file: there is no VTKFile tag", base::Place{.file = xml_.file()}};
-    DOBRA_TRY_VOID(check_header(file));
-    const pugi::xml_node grid = file.child("UnstructuredGrid");
-    const pugi::xml_node piece = grid.child("Piece");
-    if (const pugi::xml_node second = piece.next_sibling("Piece"))
-      return error(second, "files of several pieces are not read; join them first", ErrorCode::UnknownFormat);
-    for (const pugi::xml_node& parent : {grid, piece}) {
-      for (const char* const section : {"FieldData", "PointData", "CellData", "Points", "Cells"}) {
-        for (const pugi::xml_node& array : parent.child(section).children("DataArray"))
-          DOBRA_TRY_VOID(read_array(array, section));
-      }
-    }
-    return {};
-  }
-
-  Result<void> check_header(const pugi::xml_node& file) {
-    const auto refuse = [&](std::string message) { return error(file, std::move(message), ErrorCode::UnknownFormat); };
-    const std::string type = file.attribute("type").value();
-    if (type != "UnstructuredGrid")
-      return refuse(fmt::format("VTK type {} is not read; give an UnstructuredGrid", shown(type)));
-    if (std::string_view(file.attribute("byte_order").as_string("LittleEndian")) != "LittleEndian")
-      return refuse("only LittleEndian files are read");
-    if (file.attribute("compressor")) return refuse("compressed files are not read; save it uncompressed");
-    const std::string header = file.attribute("header_type").as_string("UInt32");
-    if (header != "UInt32" && header != "UInt64")
-      return refuse(fmt::format("header type {} is not known", shown(header)));
-    header_size_ = header == "UInt64" ? 8 : 4;
-    return {};
-  }
-
-  Result<void> read_array(const pugi::xml_node& node, const std::string& section) {
-    Array array{{}, node};
-    array.field.name = node.attribute("Name").value();
-    const std::string components = node.attribute("NumberOfComponents").as_string("1");
-    const std::optional<double> count = base::parse_number(components);
-    if (!count || !(*count >= 1.0) || *count > 1000.0 || *count != std::floor(*count)) {
-      return error(node, fmt::format("NumberOfComponents {} is not a count", shown(components)));
-    }
-    array.field.components = static_cast<std::size_t>(*count);
-    const auto is_text = [](const pugi::xml_node& child) { return child.type() != pugi::node_element; };
-    const auto text = std::find_if(node.begin(), node.end(), is_text);
-    if (text != node.end()) DOBRA_TRY_VOID(read_values(node, *text, array.field.values));
-    arrays_[section].push_back(std::move(array));
-    return {};
-  }
-
-  Result<void> read_values(const pugi::xml_node& node, const pugi::xml_node& text, std::vector<double>& values) {
-    const std::string format = node.attribute("format").as_string("ascii");
-    const std::string name = node.attribute("type").value();
-    const auto* type = std::find_if(std::begin(types), std::end(types), [&](const Type& t) { return t.name == name; });
-    if (type == std::end(types)) return error(node, fmt::format("number type {} is not known", shown(name)));
-    if (format == "ascii") return read_ascii(text.value(), values);
-    if (format != "binary") {
-      return error(node, fmt::format("format {} is not read; save it as ASCII or inline binary", shown(format)),
-                   ErrorCode::UnknownFormat);
-    }
-    const std::optional<std::string> bytes = from_base64(text.value());
-    if (!bytes || bytes->size() < header_size_) return error(text, "this array is not valid base64");
-    std::uint64_t size = 0;
-    std::memcpy(&size, bytes->data(), header_size_);
-    if (size != bytes->size() - header_size_ || size % type->size != 0) {
-      return error(text, fmt::format("the array says {} bytes and holds {}", size, bytes->size() - header_size_));
-    }
-    type->append(std::string_view(*bytes).substr(header_size_), values);
-    for (const double value : values) {
-      if (!std::isfinite(value))
-        return error(text, "the array holds a number that is not finite", ErrorCode::NotFinite);
-    }
-    return {};
-  }
-
-  Result<void> read_ascii(std::string_view text, std::vector<double>& values) {
-    constexpr std::string_view blanks = " \t\r\n";
-    while (true) {
-      const std::size_t begin = text.find_first_not_of(blanks);
-      if (begin == std::string_view::npos) return {};
-      text.remove_prefix(begin);
-      const std::string_view word = text.substr(0, text.find_first_of(blanks));
-      const Result<double> value = finite_number(word, "the value");
-      if (!value) return base::located(value.error(), xml_.place(word.data()));
-      values.push_back(*value);
-      text.remove_prefix(word.size());
-    }
-  }
-
-  Result<Array> take(const std::string& section, std::string_view name) {
-    std::vector<Array>& arrays = arrays_[section];
-    for (auto it = arrays.begin(); it != arrays.end(); ++it) {
-      if (!name.empty() && it->field.name != name) continue;
-      Array array = std::move(*it);
-      arrays.erase(it);
-      return array;
-    }
-    return Error{ErrorCode::BadFormat, fmt::format("there is no array {} in {}", shown(name), section),
-                 base::Place{.file = xml_.file()}};
+    return arrays_.error(at, std::move(message), code);
   }
 
   Result<void> take_points(mesh::ElementMesh& mesh) {
-    DOBRA_TRY(const Array array, take("Points", ""));
+    DOBRA_TRY(const VtkArray array, arrays_.take("Points", ""));
     const std::vector<double>& values = array.field.values;
     if (array.field.components != 3 || values.size() % 3 != 0)
       return error(array.node, "points need three coordinates each");
@@ -196,9 +63,9 @@ class VtuReader {
   }
 
   Result<void> take_elements(mesh::ElementMesh& mesh) {
-    DOBRA_TRY(const Array nodes, take("Cells", "connectivity"));
-    DOBRA_TRY(const Array offsets, take("Cells", "offsets"));
-    DOBRA_TRY(const Array kinds, take("Cells", "types"));
+    DOBRA_TRY(const VtkArray nodes, arrays_.take("Cells", "connectivity"));
+    DOBRA_TRY(const VtkArray offsets, arrays_.take("Cells", "offsets"));
+    DOBRA_TRY(const VtkArray kinds, arrays_.take("Cells", "types"));
     const std::size_t count = kinds.field.values.size();
     if (offsets.field.values.size() != count) return error(offsets.node, "there is not one offset an element");
     std::size_t at = 0;
@@ -228,7 +95,7 @@ class VtuReader {
       add_element(mesh, type->second, own, 0);
     }
     if (mesh.element_count() == 0) return error(kinds.node, "the file holds no elements");
-    DOBRA_TRY(in_space_, lies_in_space(mesh, heights_, xml_.file(), flatness_));
+    DOBRA_TRY(in_space_, lies_in_space(mesh, heights_, arrays_.file(), flatness_));
     return {};
   }
 
@@ -240,7 +107,7 @@ class VtuReader {
 
   /// Field data under our names become sets; others are passed over.
   Result<void> take_sets(mesh::ElementMesh& mesh) {
-    for (const Array& array : arrays_["FieldData"]) {
+    for (const VtkArray& array : arrays_.of("FieldData")) {
       const std::size_t blank = array.field.name.find(' ');
       const std::string kind = array.field.name.substr(0, blank);
       const std::string name = blank == std::string::npos ? "" : array.field.name.substr(blank + 1);
@@ -275,7 +142,7 @@ class VtuReader {
   }
 
   Result<void> take_fields(const std::string& section, std::size_t items, std::vector<MeshField>& fields) {
-    for (Array& array : arrays_[section]) {
+    for (VtkArray& array : arrays_.of(section)) {
       if (array.field.values.size() != items * array.field.components) {
         return error(array.node, fmt::format("field {} has {} values where {} x {} are due", shown(array.field.name),
                                              array.field.values.size(), items, array.field.components));
@@ -300,19 +167,19 @@ class VtuReader {
     fields.erase(found);
   }
 
-  const Xml& xml_;
+  VtkArrays arrays_;
   const Flatness flatness_;
   bool in_space_ = false;
-  std::size_t header_size_ = 4;
   std::vector<double> heights_;  // of the points
-  std::map<std::string, std::vector<Array>> arrays_;
 };
 
 }  // namespace
 
 Result<VtuContents> parse_vtu(std::string_view text, const std::string& file, Flatness flatness) {
   DOBRA_TRY(const Xml xml, Xml::parse(text, file));
-  return VtuReader(xml, flatness).run();
+  DOBRA_TRY(VtkArrays arrays, VtkArrays::read(xml, ".vtu", "UnstructuredGrid",
+                                              {"FieldData", "PointData", "CellData", "Points", "Cells"}));
+  return VtuReader(std::move(arrays), flatness).run();
 }
 
 Result<VtuContents> read_vtu(const std::string& path) {

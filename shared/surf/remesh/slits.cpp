@@ -39,6 +39,7 @@ class SlitSearch {
 
   std::size_t count = 0;
   double greatest = 0.0;
+  bool within_one = false;  ///< Some lie on a border of their own piece.
   [[nodiscard]] Point3 first() const {
     const auto at = std::ranges::find_if(off_, [](double off) { return off >= 0.0; });
     return sides_[static_cast<std::size_t>(at - off_.begin())].from;
@@ -85,6 +86,7 @@ class SlitSearch {
     if (off_[point] < 0.0) ++count;
     off_[point] = std::max(off_[point], off);
     greatest = std::max(greatest, off);
+    within_one = within_one || p.sheet == s.sheet;
   }
 
   std::vector<BorderSide> sides_;
@@ -110,6 +112,17 @@ std::optional<base::Finding> slits_of(const std::vector<param::SheetMade>& sheet
   if (sides.empty()) return std::nullopt;
   const SlitSearch search(std::move(sides), of_extent * box.diagonal());
   if (search.count == 0) return std::nullopt;
+  if (!search.within_one) {
+    return base::Finding{
+        "slit",
+        fmt::format(
+            "points of borders of one piece that lie on borders of another, at most {:.2g} off, and are not "
+            "joined: {}; surfaces that only meet, such as a horizon and a fault that cuts it, stay so; pieces of "
+            "one surface need the same coordinates for points that are one, and sides divided at points that "
+            "lie on them",
+            search.greatest, search.count),
+        place_of(search.first())};
+  }
   return base::Finding{
       "slit",
       fmt::format("points of borders that lie on other borders, at most {:.2g} off, and are not joined, so that the "

@@ -83,15 +83,32 @@ std::vector<OnCrack> Recognised::on_cracks(std::span<const std::size_t> faces) c
     return std::any_of(faces.begin(), faces.end(), [&](std::size_t each) { return static_cast<int>(each) == part; });
   };
   std::vector<OnCrack> found;
-  std::vector<std::uint8_t> seen(s.edges.size(), 0);
+  std::vector<std::uint8_t> seen(s.edges.size(), 0), meant_beside(s.edges.size(), 0);
   for (const EdgeId e : sub.edges()) {
     const HalfEdgeId h = Subdivision::half_edge(e);
     const std::size_t arc = s.faces.chords[h.index()].arc;
+    if (meant(sub.face(h)) || meant(sub.face(Subdivision::twin(h)))) meant_beside[arc] = 1;
     if (seen[arc] != 0 || !s.cracks[arc] || s.cracks[arc]->others.empty()) continue;
     if (!meant(sub.face(h)) || !meant(sub.face(Subdivision::twin(h)))) continue;
     seen[arc] = 1;
     const ChartEdge& edge = s.edges[arc];
     found.push_back({s.cracks[arc]->name, s.cracks[arc]->others, edge.at(0.5 * (edge.from + edge.to))});
+  }
+  // A line along a seam may have been drawn on either side of it.
+  for (const auto& [low, high] : s.seams) {
+    const auto& crack = s.cracks[low] ? s.cracks[low] : s.cracks[high];
+    if (!crack || meant_beside[low] == 0 || meant_beside[high] == 0) continue;
+    std::vector<std::string> others;
+    for (const std::size_t arc : {low, high}) {
+      for (const Along& each : s.arcs.arcs[arc].along) {
+        const Strand& strand = s.arcs.strands[each.strand];
+        const std::string& name = strand.edge.name;
+        if (strand.side || name.empty() || name == crack->name) continue;
+        if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
+      }
+    }
+    const ChartEdge& edge = s.edges[low];
+    if (!others.empty()) found.push_back({crack->name, std::move(others), edge.at(0.5 * (edge.from + edge.to))});
   }
   return found;
 }

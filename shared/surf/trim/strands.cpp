@@ -104,6 +104,7 @@ class Maker {
       const Vector by{chart.width() * periods(surface_.closed_u(), middle.x),
                       chart.height() * periods(surface_.closed_v(), middle.y)};
       if (!(by == Vector{})) strand.edge.curve = moved(edge.curve, by);
+      if (!line.closed) to_low_side(strand.edge);
       DOBRA_TRY(const double beyond, how_far_beyond(strand.edge));
       if (beyond > options_.same) {
         if (!pull_in(strand, beyond)) continue;
@@ -111,6 +112,19 @@ class Maker {
       strands.push_back(std::move(strand));
     }
     return strands;
+  }
+
+  /// What runs along the high side of a seam is taken to its low one, so that lines there find each other.
+  void to_low_side(ChartEdge& edge) const {
+    const std::vector<double> parts = looks(edge);
+    const auto along = [&](bool closed, auto coordinate) {
+      return closed && std::all_of(parts.begin(), parts.end(), [&](double part) {
+               return std::abs(coordinate(made_.arcs.part(at(edge, part))) - 1.0) <= options_.same;
+             });
+    };
+    const geom::Box& chart = surface_.chart();
+    if (along(surface_.closed_u(), [](Point p) { return p.x; })) edge.curve = moved(edge.curve, {-chart.width(), 0.0});
+    if (along(surface_.closed_v(), [](Point p) { return p.y; })) edge.curve = moved(edge.curve, {0.0, -chart.height()});
   }
 
   /// By how much of its ranges an edge lies beyond the chart at most.

@@ -65,13 +65,30 @@ TEST_F(SheetCommands, MeshesThatAreNoSheetsAreRefusedWithThePlaceAndLeaveNoFile)
 TEST_F(SheetCommands, ElementsOnASurfaceAreMeshedAnew) {
   const std::string file = put_mesh("hill.ply", hill());
   const double area = told({"remesh", file, "--size", "0.3"})["area"];
-  for (const std::string ending : {".vtu", ".msh", ".inp", ".bdf"}) {
+  for (const std::string ending : {".vtu", ".msh", ".inp", ".bdf", ".vtp", ".ts"}) {
     ASSERT_EQ(call({"remesh", file, "--size", "0.3", "--out", path("m" + ending)}).code, 0) << ending;
     const json anew = told({"remesh", path("m" + ending), "--size", "0.4"});
     EXPECT_NEAR(anew["area"], area, 0.01 * area) << ending;
     EXPECT_EQ(anew["flipped"], 0) << ending;
     EXPECT_EQ(anew["borders"], 1) << ending;
   }
+}
+
+/// A square of 100 ft, 30.48 m.
+TEST_F(SheetCommands, UnitsThatAreTakenToMetresAreTold) {
+  const std::string file =
+      put("top.ts",
+          "GOCAD TSurf 1\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT \"ft\" \"ft\" \"ft\"\n"
+          "END_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 5\nVRTX 2 100 0 5\nVRTX 3 100 100 5\nVRTX 4 0 100 5\n"
+          "TRGL 1 2 3\nTRGL 1 3 4\nEND\n");
+  for (const char* command : {"parametrise", "remesh"}) {
+    const json made = told({command, file});
+    ASSERT_FALSE(made["findings"].empty()) << command;
+    EXPECT_EQ(made["findings"][0]["code"], "units_converted") << command;
+    EXPECT_EQ(made["findings"][0]["place"]["line"], 3) << command;
+    EXPECT_EQ(made["findings"][0]["place"]["file"], file) << command;
+  }
+  EXPECT_NEAR(told({"remesh", file, "--size", "10"})["area"].get<double>(), 30.48 * 30.48, 1e-6);
 }
 
 TEST_F(SheetCommands, OptionsThatMeanNothingAreWrongUsage) {

@@ -2,9 +2,12 @@
 
 #include "quebra/surfaces/common_borders.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -101,6 +104,66 @@ TEST(CommonBorders, AWebWithoutALineIsToldWithItsPlace) {
              "[[input.trim]]\nname = \"l\"\nsurface = \"plate\"\nkind = \"surface\"\ntool = \"web\"\n"
              "role = \"internal\"\n");
   EXPECT_EQ(sides(with_line.mesh.mesh, true).count(1), 0U);
+}
+
+/// A gap of less than a thousandth of the smaller one, 6 x 4: 7.2e-3.
+TEST(CommonBorders, AWebThatEndsAboveAPlateIsTold) {
+  const auto above = [](double z, double unit, const std::string& more = "") {
+    return flat("plate", fmt::format("u = [0, {0}]\nv = [0, {0}]\n", 10.0 * unit)) +
+           flat("web", fmt::format("u = [{}, {}]\nv = [{:.17g}, {:.17g}]\n", 2.0 * unit, 8.0 * unit, z, z + 4.0 * unit),
+                fmt::format("origin = [0, {}, 0]\naxis = [0, -1, 0]\nx_axis = [1, 0, 0]\n", 5.0 * unit)) +
+           more;
+  };
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    for (const double gap : {1e-4, 1e-3, 5e-3, -1e-3}) {
+      // Below the plate it would cross it; there it ends with its upper border.
+      const double z = gap > 0.0 ? gap * unit : gap * unit - 4.0 * unit;
+      const auto made = test::surfaces_of(above(z, unit));
+      ASSERT_TRUE(made.ok());
+      ASSERT_EQ(codes(made->findings), std::vector<std::string>{"border_near_surface"}) << gap << ' ' << unit;
+      const auto& finding = made->findings.front();
+      EXPECT_THAT(finding.message, HasSubstr("'web'"));
+      EXPECT_THAT(finding.message, HasSubstr("'plate'"));
+      EXPECT_THAT(finding.message, HasSubstr(fmt::format("{:.3g} m", std::abs(gap) * unit)));
+      EXPECT_NEAR(*finding.place.y, 5.0 * unit, 1e-9 * unit);
+      EXPECT_NEAR(*finding.place.z, gap * unit, 1e-9 * unit);
+      EXPECT_TRUE(*finding.place.x >= 2.0 * unit && *finding.place.x <= 8.0 * unit);
+    }
+    EXPECT_THAT(codes(test::surfaces_of(above(0.02 * unit, unit))->findings), testing::IsEmpty()) << unit;
+  }
+  // Sloping: at 45 degrees, and so that a border comes near with an end alone.
+  const auto sloping = [](const std::string& axis, const std::string& x_axis) {
+    return codes(
+        test::surfaces_of(plate + flat("web", "u = [0, 4]\nv = [0, 3]\n",
+                                       "origin = [3, 5, 0.001]\naxis = " + axis + "\nx_axis = " + x_axis + "\n"))
+            ->findings);
+  };
+  EXPECT_EQ(sloping("[0, -1, 1]", "[1, 0, 0]"), std::vector<std::string>{"border_near_surface"});
+  EXPECT_THAT(sloping("[0, -1, 0]", "[1, 0, 0.1]"), testing::IsEmpty());
+}
+
+TEST(CommonBorders, BordersThatAreMeantSoAreNotToldToEndAboveASurface) {
+  const auto told = [](const std::string& text) {
+    const auto made = test::surfaces_of(text);
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+    std::vector<std::string> all = codes(made->findings);
+    return std::count(all.begin(), all.end(), "border_near_surface");
+  };
+  const std::string axes = "axis = [0, -1, 0]\nx_axis = [1, 0, 0]\n";
+  EXPECT_EQ(told(plate + web() + internal("[[0, 5], [10, 5]]")), 0) << "joined";
+  EXPECT_EQ(told(plate + flat("next", "u = [10, 15]\nv = [0, 10]\n")), 0) << "edge to edge";
+  EXPECT_EQ(told(plate + flat("wall", "u = [0, 10]\nv = [0, 4]\n", "origin = [0, 10, 0]\n" + axes)), 0) << "corner";
+  EXPECT_EQ(told(plate + flat("patch", "u = [2, 7]\nv = [2, 7]\n", "origin = [0, 0, 0.001]\n")), 0) << "a second plate";
+  EXPECT_EQ(told(plate + "[[input.surface]]\nname = \"pipe\"\nkind = \"cylinder\"\nradius = 1\nv = [2, 8]\naxis = [1, "
+                         "0, 0]\norigin = [0, 5, 1.0001]\n"),
+            0)
+      << "a pipe just above it";
+  EXPECT_EQ(told(plate +
+                 "[[input.trim]]\nname = \"k\"\nsurface = \"plate\"\nkind = \"line\"\nrole = \"crack\"\npoints = "
+                 "[[2, 5], [8, 5]]\n" +
+                 flat("far", "u = [0, 10]\nv = [0, 10]\n", "origin = [0, 0, 3]\n")),
+            0)
+      << "lips of a crack";
 }
 
 TEST(CommonBorders, SurfacesThatStandApartOrTouchInAPointAreNotTold) {

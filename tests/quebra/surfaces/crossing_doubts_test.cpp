@@ -1,6 +1,7 @@
 // Surfaces that cut through or cover each other are told with a place on what they have in common, known in closed
 // form; those that meet in lines, touch, or only come near are not.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ std::string web(const std::string& low, const std::string& high) {
 std::string pipe(const std::string& name, double radius, double y, double z, const std::string& u = "[0, 360]",
                  const std::string& v = "[0, 8]") {
   return surface(name, "cylinder",
-                 "axis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = " + v + "\nradius = " + std::to_string(radius) +
+                 "axis = [1, 0, 0]\nx_axis = [0, 1, 0]\nv = " + v + "\nradius = " + fmt::format("{:.17g}", radius) +
                      "\nu = " + u + "\norigin = [0, " + std::to_string(y) + ", " + std::to_string(z) + "]");
 }
 
@@ -121,6 +122,42 @@ TEST(CrossingDoubts, PlatesOfOnePlaneThatCoverEachOtherAreTold) {
   }
 }
 
+/// Nearer than 1e-5 of the smaller one's diagonal, here 5 sqrt(2): whichever is first, whatever the unit, and wherever
+/// they stand beside what is far larger.
+TEST(CrossingDoubts, PlatesThatLieOnEachOtherAreTold) {
+  const auto sheet = [](const std::string& name, double side, double from, double z) {
+    return surface(
+        name, "plane",
+        fmt::format("u = [0, {0:.17g}]\nv = [0, {0:.17g}]\norigin = [{1:.17g}, {1:.17g}, {2:.17g}]", side, from, z));
+  };
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    const std::string base = sheet("base", 10.0 * unit, 0.0, 0.0);
+    for (const double z : {0.0, 1e-7, 1e-6, 1e-5, 5e-5, -5e-5}) {
+      const std::string patch = sheet("patch", 5.0 * unit, 2.0 * unit, z * unit);
+      EXPECT_THAT(codes(base + patch, unit), ElementsAre("surfaces_overlap")) << z << ' ' << unit;
+      EXPECT_THAT(codes(patch + base, unit), ElementsAre("surfaces_overlap")) << z << ' ' << unit;
+    }
+    for (const double z : {1e-4, 1e-3, -1e-3}) {
+      const std::string patch = sheet("patch", 5.0 * unit, 2.0 * unit, z * unit);
+      EXPECT_THAT(codes(base + patch, unit), IsEmpty()) << z << ' ' << unit;
+      EXPECT_THAT(codes(base + patch + sheet("far", unit, 1e3 * unit, 0.0), unit), IsEmpty()) << z << ' ' << unit;
+    }
+  }
+}
+
+TEST(CrossingDoubts, SheetsOfTwoCylindersThatLieOnEachOtherAreTold) {
+  // Diagonal of the smaller one, 30 degrees of radius 1 and 1 long: sqrt(1 + (2 sin 15)^2) = 1.126. Triangles of sheets
+  // farther apart cut through each other where they are made otherwise, and the sheets do not.
+  const auto sheets = [](double radius) {
+    return codes(pipe("a", 1.0, 0.0, 0.0, "[0, 60]", "[0, 2]") + pipe("b", radius, 0.0, 0.0, "[20, 50]", "[0.5, 1.5]"),
+                 0.2);
+  };
+  for (const double off : {1e-6, -1e-6, 1e-5, -1e-5})
+    EXPECT_THAT(sheets(1.0 + off), ElementsAre("surfaces_overlap")) << off;
+  for (const double off : {2e-5, -2e-5, 1e-4, -1e-4, 1e-3, -1e-3, 0.01, -0.01})
+    EXPECT_THAT(sheets(1.0 + off), IsEmpty()) << off;
+}
+
 TEST(CrossingDoubts, SheetsOfOneCylinderThatCoverEachOtherAreTold) {
   for (const double size : {0.2, 0.5}) {
     EXPECT_THAT(codes(pipe("a", 1.0, 0.0, 0.0, "[0, 200]") + pipe("b", 1.0, 0.0, 0.0, "[170, 300]", "[1, 7]"), size),
@@ -163,6 +200,13 @@ TEST(CrossingDoubts, WhatTouchesOrComesNearIsNotTold) {
     EXPECT_THAT(codes(plate + web("0.01", "3"), size), IsEmpty()) << "above";
     EXPECT_THAT(codes(plate + pipe("lying", 1.0, 5.0, 1.0), size), IsEmpty()) << "pipe on a plate";
   }
+}
+
+/// Triangles of a side of a twentieth are nearer to the plate than 1e-5 of its size where the pipe touches it.
+TEST(CrossingDoubts, APipeThatTouchesAPlateDoesNotLieOnIt) {
+  const std::string small = surface("plate", "plane", "u = [4, 6]\nv = [4, 6]\n");
+  EXPECT_THAT(codes(small + pipe("lying", 1.0, 5.0, 1.0, "[250, 290]", "[4, 6]"), 0.05), IsEmpty());
+  EXPECT_THAT(codes(small + pipe("lying", 1.0, 5.0, 1.0, "[265, 275]", "[4, 4.2]"), 0.01), IsEmpty());
 }
 
 /// A cubic that crosses itself at (2, 0, 12/7), by symmetry where x = 2: x - 2 = s (28 s^2 - 3), z = 12 (1/4 - s^2).

@@ -1,6 +1,7 @@
 // A crack along the seam of a closed surface opens it as one anywhere else does: lips of its length, tips at its ends,
 // and one more contour of the border. The seam is where the chart begins; where that is, is no matter of the crack.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -186,6 +187,35 @@ TEST(SeamCracks, WhereOneSideIsCutAwayOpenNothing) {
            "[[input.part]]\nfate = \"keep\"\nat = [90, 5]\n");
   EXPECT_THAT(all.codes, testing::Contains("crack_opens_nothing"));
   EXPECT_EQ(all.mesh.quality.loops, 1U);
+}
+
+/// What runs along a crack there is told as it is at 180 degrees, on whichever side of the seam each is written.
+TEST(SeamCracks, LinesOnACrackOfTheSeamAreTold) {
+  const auto trim = [](const char* name, const char* role, const std::string& u, const char* from, const char* to) {
+    return fmt::format(
+        "[[input.trim]]\nname = \"{0}\"\nkind = \"line\"\nrole = \"{1}\"\npoints = [[{2}, {3}], [{2}, {4}]]\n", name,
+        role, u, from, to);
+  };
+  for (const auto& [first, second] : std::vector<std::pair<std::string, std::string>>{
+           {"180", "180"}, {"0", "0"}, {"0", "360"}, {"360", "0"}, {"360", "360"}}) {
+    for (const char* const role : {"crack", "internal"}) {
+      const std::string told = fmt::format("{} {} {}", first, second, role);
+      const Made all = made(tube + trim("k", "crack", first, "1", "6") + trim("m", role, second, "5", "9"));
+      EXPECT_EQ(all.codes, std::vector<std::string>{"line_on_crack"}) << told;
+      EXPECT_NEAR(all.length("k_left"), 5.0, 1e-9) << told;
+      EXPECT_NEAR(all.length("k_right"), 5.0, 1e-9) << told;
+      if (role != std::string("crack")) continue;
+      EXPECT_NEAR(all.length("m_left"), 3.0, 1e-9) << told;
+      EXPECT_NEAR(all.length("m_right"), 3.0, 1e-9) << told;
+      EXPECT_EQ(all.mesh.quality.loops, 3U) << told;
+      EXPECT_EQ(all.mesh.quality.components, 1U) << told;
+    }
+  }
+  // They end where the other begins, or lie apart.
+  EXPECT_THAT(made(tube + trim("k", "crack", "0", "1", "5") + trim("m", "crack", "360", "5", "9")).codes,
+              testing::IsEmpty());
+  EXPECT_THAT(made(tube + trim("k", "crack", "360", "1", "4") + trim("m", "internal", "0", "6", "9")).codes,
+              testing::IsEmpty());
 }
 
 }  // namespace

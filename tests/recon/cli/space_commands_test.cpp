@@ -187,6 +187,26 @@ TEST_F(SpaceCommands, RemarksOfReadingAreFindingsWithTheirSectionAndPlace) {
   EXPECT_NE(call({"surface", file}).err.find("straight on (at 0, 700)"), std::string::npos);
 }
 
+/// Data in millimetres end some hundredths beside a trace whose length has more digits.
+TEST_F(SpaceCommands, WhatFilesRoundIsNotBeyondATrace) {
+  const auto told = [&](const char* end) {
+    for (const char* name : {"a", "b"})
+      (void)put(
+          std::string(name) + ".csv",
+          fmt::format("x,z,name,kind\n0.000,50.000,A,horizon\n500.000,60.000,A,horizon\n{},80.000,A,horizon\n", end));
+    // sqrt(700^2 + 700^2) = 989.94949...
+    const std::string file = put("d.toml",
+                                 "dobra = 1\nprogram = \"recon\"\n[input]\n[[input.section]]\nname = \"one\"\nfile = "
+                                 "\"a.csv\"\ntrace = [0, 0, 700, 700]\n[[input.section]]\nname = \"two\"\nfile = "
+                                 "\"b.csv\"\ntrace = [700, -700, 1400, 0]\n");
+    const SpaceOut findings = json({"surface", file, "--json", "--quiet"})["findings"];
+    return std::count_if(findings.begin(), findings.end(),
+                         [](const SpaceOut& f) { return f["code"] == "beyond_trace"; });
+  };
+  EXPECT_EQ(told("989.950"), 0);
+  EXPECT_EQ(told("990.050"), 2);
+}
+
 /// Two planes that cross along x = 500: 500 m by 200 m by 1000 m, halved, on either side.
 TEST_F(SpaceCommands, ASinglePieceATopographyAndHorizonsThatCrossAreTold) {
   const std::string planes = "0,100,A,horizon\n1000,-100,A,horizon\n\n0,-100,B,horizon\n1000,100,B,horizon\n";

@@ -74,7 +74,8 @@ PlacedSections crossing() {
 
 class SurfaceFile : public ::testing::TestWithParam<PlacedSections (*)()> {
  protected:
-  SurfaceFile() : folder_(std::filesystem::temp_directory_path() / ("recon_surface_file_" + std::to_string(::getpid()))) {
+  SurfaceFile()
+      : folder_(std::filesystem::temp_directory_path() / ("recon_surface_file_" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(folder_);
   }
   ~SurfaceFile() override {
@@ -106,7 +107,7 @@ TEST_P(SurfaceFile, OurOwnReadersFindNothingToMend) {
   ASSERT_TRUE(made) << to_string(made.error());
   ASSERT_EQ(made->rows.size(), 2U);
   const std::size_t triangles = made->rows[0].triangles + made->rows[1].triangles;
-  for (const std::string ending : {".ts", ".obj", ".ply", ".off"}) {
+  for (const std::string ending : {".ts", ".obj", ".ply", ".off", ".vtp"}) {
     ASSERT_TRUE(write_surfaces(path("all" + ending), *made)) << ending;
     const auto read = io::formats::read_polygons(path("all" + ending));
     ASSERT_TRUE(read) << to_string(read.error());
@@ -145,7 +146,8 @@ TEST_P(SurfaceFile, FormatsOfElementsHaveARegionForEachSurface) {
     EXPECT_EQ(read->heights.size(), read->mesh.points.size());
     expect_clean(io::meshes::polygons_of(read->mesh, read->heights), 2, "as polygons");
   }
-  EXPECT_TRUE(write_surfaces(path("all.vtp"), *made));
+  ASSERT_TRUE(write_surfaces(path("all.vtp"), *made));
+  EXPECT_NE(io::read_text(path("all.vtp")).value().find("Name=\"dip\""), std::string::npos);
 }
 
 TEST_P(SurfaceFile, TheRemesherMeshesThemAnew) {

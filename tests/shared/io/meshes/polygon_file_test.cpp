@@ -65,7 +65,7 @@ TEST(PolygonFile, OtherEndingsAreRefused) {
     const auto read = formats::read_polygons(file);
     ASSERT_FALSE(read.ok());
     EXPECT_EQ(read.error().code, ErrorCode::UnknownFormat);
-    EXPECT_THAT(read.error().message, HasSubstr("read from .dxf .obj .ply .off .ts"));
+    EXPECT_THAT(read.error().message, HasSubstr("read from .dxf .obj .ply .off .ts .vtp"));
   }
 }
 

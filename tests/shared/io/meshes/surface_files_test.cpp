@@ -1,7 +1,9 @@
 // Surfaces in space from and to TSurf, DXF faces and VTP.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "shared/io/base64.h"
 #include "shared/io/formats/format.h"
 #include "shared/io/meshes/dxf_faces.h"
 #include "shared/io/meshes/tsurf.h"
@@ -11,6 +13,7 @@ namespace dobra::io::meshes {
 namespace {
 
 using geom::Point3;
+using testing::AllOf;
 using testing::HasSubstr;
 
 void refused(const base::Result<std::vector<TSurf>>& read, std::size_t line, const std::string& part) {
@@ -121,6 +124,24 @@ TEST(DxfFaces, DrawingsWithoutFacesAndBrokenOnesAreRefused) {
   EXPECT_EQ(broken.error().place->line, 10u);
 }
 
+/// A foot is 0.3048 m.
+TEST(TSurfFile, UnitsThatAreTakenToMetresAreToldWithTheirLine) {
+  const auto surface = [](const std::string& units) {
+    return "GOCAD TSurf 1\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT " + units +
+           "\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 10\nVRTX 2 1 0 10\nVRTX 3 0 1 10\nTRGL 1 2 3\nEND\n";
+  };
+  const std::string feet = surface("\"ft\" \"ft\" \"m\"");
+  EXPECT_NEAR(parse_tsurf(feet, "f")->points[1].x, 0.3048, 1e-15);
+  const auto told = tsurf_remarks(surface("\"m\" \"m\" \"m\"") + feet, "f.ts");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].place.file, "f.ts");
+  EXPECT_EQ(told[0].place.line, 12U);
+  EXPECT_THAT(told[0].message, HasSubstr("in ft, ft and m"));
+  EXPECT_THAT(to_string(told[0]), AllOf(HasSubstr("f.ts:12"), HasSubstr("taken to m")));
+  EXPECT_TRUE(tsurf_remarks(surface("m m m"), "f").empty());
+  EXPECT_TRUE(tsurf_remarks(surface("\"\" \"\" \"\""), "f").empty());
+}
+
 TEST(SurfaceFormats, TheTableKnowsSurfacesOfGocadAndFacesOfDxf) {
   EXPECT_EQ(formats::format_of("a.ts", formats::Use::ReadPolygons)->name, "tsurf");
   EXPECT_EQ(formats::format_of("a.ts", formats::Use::WriteSpaceMesh)->name, "tsurf");
@@ -142,6 +163,97 @@ TEST(VtpFile, HoldsPointsFacesAndFieldsAndRefusesWhatDoesNotFit) {
   mesh::PolygonMesh bad = two;
   bad.points[0].z = std::nan("");
   EXPECT_FALSE(vtp_text(bad).ok());
+}
+
+TEST(VtpFile, IsReadAsItWasWritten) {
+  const mesh::PolygonMesh mixed{{{0, 0, 0}, {1, 0, 1.0 / 3.0}, {1, 1, 0.25}, {0, 1, -1e-17}, {0.5, 2, 1e9}},
+                                {{0, 1, 2, 3}, {3, 2, 4}}};
+  const auto text = vtp_text(mixed, {{{"height", 1, {1, 2, 3, 4, 5}}}, {{"dip", 1, {10.0, 20.5}}}});
+  ASSERT_TRUE(text.ok());
+  const auto read = parse_vtp(*text, "f");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->points, mixed.points);
+  EXPECT_EQ(read->faces, mixed.faces);
+  EXPECT_EQ(*vtp_text(*read), *vtp_text(mixed));
+}
+
+/// As other programs write it: two kinds of lengths in front, numbers of other widths, points and lines beside.
+template <class Length, class Number, class Index>
+std::string binary_vtp(const char* header, const char* number, const char* index) {
+  const auto bytes = [](const auto& values) {
+    std::string text;
+    const Length size = static_cast<Length>(values.size() * sizeof(values[0]));
+    text.append(reinterpret_cast<const char*>(&size), sizeof(size));
+    text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+    return base64(text);
+  };
+  const auto array = [&](const char* type, const char* name, const char* more, const auto& values) {
+    return fmt::format("<DataArray type=\"{}\" Name=\"{}\" {}format=\"binary\">\n{}\n</DataArray>\n", type, name, more,
+                       bytes(values));
+  };
+  return fmt::format(
+             "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+             "header_type=\"{}\">\n<PolyData>\n<Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\">\n<Points>\n",
+             header) +
+         array(number, "P", "NumberOfComponents=\"3\" ",
+               std::vector<Number>{0, 0, 0, 1, 0, 0, 1, 1, Number(0.25), 0, 1, 0}) +
+         "</Points>\n<Lines>\n" + array(index, "connectivity", "", std::vector<Index>{0, 1}) +
+         array(index, "offsets", "", std::vector<Index>{2}) + "</Lines>\n<Polys>\n" +
+         array(index, "connectivity", "", std::vector<Index>{0, 1, 2, 0, 2, 3}) +
+         array(index, "offsets", "", std::vector<Index>{3, 6}) + "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+TEST(VtpFile, InlineBinaryIsRead) {
+  for (const std::string& text : {binary_vtp<std::uint32_t, float, std::int32_t>("UInt32", "Float32", "Int32"),
+                                  binary_vtp<std::uint64_t, double, std::int64_t>("UInt64", "Float64", "Int64")}) {
+    const auto read = parse_vtp(text, "f");
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(read->points, (std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}));
+    EXPECT_EQ(read->faces, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}, {0, 2, 3}}));
+  }
+}
+
+TEST(VtpFile, WhatIsWrongIsRefusedWithItsLine) {
+  const mesh::PolygonMesh two{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const std::string good = *vtp_text(two);
+  ASSERT_TRUE(parse_vtp(good, "f").ok());
+  const auto said = [&](const std::string& from, const std::string& to) {
+    std::string bad = good;
+    const auto at = bad.find(from);
+    if (at == std::string::npos) return "no " + from;
+    bad.replace(at, from.size(), to);
+    const auto read = parse_vtp(bad, "f");
+    return read.ok() ? std::string("read") : to_string(read.error());
+  };
+  EXPECT_THAT(said("1.0 1.0 0.25", "1.0 one 0.25"), AllOf(HasSubstr("f:13:5"), HasSubstr("one")));
+  EXPECT_THAT(said("1.0 1.0 0.25", "1.0 nan 0.25"), HasSubstr("f:13:5"));
+  EXPECT_THAT(said("1.0 1.0 0.25\n", "1.0 1.0\n"), AllOf(HasSubstr("f:10"), HasSubstr("three coordinates")));
+  EXPECT_THAT(said("1.0 1.0 0.25\n", ""), AllOf(HasSubstr("f:4"), HasSubstr("4 points and holds 3")));
+  EXPECT_THAT(said("0 2 3 \n", "0 2 4 \n"), AllOf(HasSubstr("f:18"), HasSubstr("polygon 1: there is no point 4")));
+  EXPECT_THAT(said("0 2 3 \n", "0 2 -1 \n"), HasSubstr("there is no point -1"));
+  EXPECT_THAT(said("0 2 3 \n", "0 2 3 1 \n"), HasSubstr("corners follow the last polygon"));
+  EXPECT_THAT(said("\n3\n6\n", "\n3\n7\n"), HasSubstr("the offset of polygon 1"));
+  EXPECT_THAT(said("\n3\n6\n", "\n6\n3\n"), HasSubstr("the offset of polygon 1"));
+  EXPECT_THAT(said("\n3\n6\n", "\n3.5\n6\n"), HasSubstr("the offset of polygon 0"));
+  EXPECT_THAT(said("\n3\n6\n", "\n6\n"), HasSubstr("2 polygons and holds 1"));
+  EXPECT_THAT(said("Name=\"offsets\"", "Name=\"ends\""), AllOf(HasSubstr("offsets"), HasSubstr("in Polys")));
+  EXPECT_THAT(said("type=\"PolyData\"", "type=\"ImageData\""), AllOf(HasSubstr("f:2"), HasSubstr("give PolyData")));
+  EXPECT_THAT(said("format=\"ascii\"", "format=\"appended\" offset=\"0\""),
+              AllOf(HasSubstr("f:10"), HasSubstr("appended")));
+  EXPECT_THAT(said("header_type", "compressor=\"vtkZLibDataCompressor\" header_type"), HasSubstr("compressed"));
+  EXPECT_THAT(said("<Polys>",
+                   "<Strips>\n<DataArray type=\"Int64\" Name=\"connectivity\">0 1 2 3</DataArray>\n</Strips>\n<Polys>"),
+              HasSubstr("strips of triangles"));
+  EXPECT_THAT(said("</VTKFile>", ""), HasSubstr("f:"));
+  // Cut short anywhere, it is never read.
+  for (std::size_t size = 0; size + 12 < good.size(); size += 7)
+    EXPECT_FALSE(parse_vtp(good.substr(0, size), "f").ok()) << size;
+}
+
+TEST(VtpFile, TheTableReadsAndWritesIt) {
+  EXPECT_EQ(formats::format_of("a.vtp", formats::Use::ReadPolygons)->name, "vtp");
+  EXPECT_EQ(formats::format_of("A.VTP", formats::Use::ReadMesh)->name, "vtp");
+  EXPECT_EQ(formats::format_of("a.vtp", formats::Use::WriteSpaceMesh)->name, "vtp");
 }
 
 }  // namespace

@@ -73,6 +73,8 @@ TEST(RemeshUntidy, SidesThatAlmostMeetAreToldWithTheirPlace) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].message.find(": 4;"), std::string::npos) << told[0].message;
   expect_at(told[0], {1, 0, 0});
+  // Two pieces may be two surfaces, and then nothing is wrong.
+  EXPECT_NE(told[0].message.find("surfaces that only meet"), std::string::npos) << told[0].message;
   const auto apart = remesh(sheets(0.01), {.size = 0.5});
   ASSERT_TRUE(apart.ok()) << apart.error().message;
   EXPECT_TRUE(findings_with(*apart, "slit").empty());
@@ -89,6 +91,7 @@ TEST(RemeshUntidy, APointOnTheSideOfANeighbourIsToldWithItsPlace) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].message.find(": 1;"), std::string::npos) << told[0].message;
   expect_at(told[0], {0.5, 0, 0});
+  EXPECT_NE(told[0].message.find("the mesh is open there"), std::string::npos) << told[0].message;
   box.faces[0] = {0, 2, 3, 1, 8};
   const auto whole = remesh(box, {.size = 0.5});
   ASSERT_TRUE(whole.ok()) << whole.error().message;
