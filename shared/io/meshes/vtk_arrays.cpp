@@ -122,8 +122,7 @@ Result<void> VtkArrays::read_values(const pugi::xml_node& node, const pugi::xml_
   }
   type->append(std::string_view(*bytes).substr(header_size_), values);
   for (const double value : values) {
-    if (!std::isfinite(value))
-      return error(text, "the array holds a number that is not finite", ErrorCode::NotFinite);
+    if (!std::isfinite(value)) return error(text, "the array holds a number that is not finite", ErrorCode::NotFinite);
   }
   return {};
 }
