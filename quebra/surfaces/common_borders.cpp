@@ -340,7 +340,8 @@ class Sharing {
                        base::Place{.x = p.x, .y = p.y, .z = p.z}};
       }
       before = on ? std::optional(p) : std::nullopt;
-      beside = close && !on && leaves(border, t, faces_[f].surface, size) ? beside + 1 : 0;
+      const bool ends = close && !on && stands_over(faces_[f].surface, foot, p);
+      beside = ends && leaves(border, t, faces_[f].surface, size) ? beside + 1 : 0;
       if (beside == run && !found) {
         found =
             Finding{"border_near_surface",
@@ -351,6 +352,11 @@ class Sharing {
       }
     }
     return found;
+  }
+  /// Whether a place is over its foot, and not beside the face.
+  [[nodiscard]] static bool stands_over(const surf::Surface& surface, const surf::Foot& foot, Point3 p) {
+    const auto normal = surf::normal(surface, foot.uv);
+    return normal && std::abs(dot(p - surface.at(foot.uv), *normal)) >= 0.9 * geom::distance(surface.at(foot.uv), p);
   }
   /// Whether the face of a border goes away from a surface that the border is beside: a tenth of the size across it,
   /// it is four of the widest gaps farther off. Plates that lie along each other do not.
