@@ -9,6 +9,8 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "shared/base/disjoint_sets.h"
 #include "shared/surf/closest.h"
@@ -247,6 +249,8 @@ class Sharing {
         const Beside found = beside(borders_[i], borders_[j]);
         if (found.gap > 100.0 * tolerance_) continue;
         if (found.gap > tolerance_) {
+          beside_.insert({i, borders_[j].face()});
+          beside_.insert({j, borders_[i].face()});
           findings.push_back(
               {"borders_near",
                fmt::format("borders of '{}' and '{}' run beside each other, {:.3g} m apart: they are not "
@@ -307,7 +311,8 @@ class Sharing {
         const Border& border = borders_[i];
         if (border.face() == f || border.inside() || shared_[i] != 0 || a_point(border)) continue;
         if (!border.box().near(box, 0.1 * surface.size())) continue;
-        if (auto finding = unjoined(border, f, rings, std::min(size, size_of(border.face()))))
+        auto finding = unjoined(border, f, rings, std::min(size, size_of(border.face())));
+        if (finding && !(finding->code == "border_near_surface" && beside_.contains({i, f})))
           findings.push_back(*std::move(finding));
       }
     }
@@ -335,7 +340,8 @@ class Sharing {
                        base::Place{.x = p.x, .y = p.y, .z = p.z}};
       }
       before = on ? std::optional(p) : std::nullopt;
-      beside = close && !on && leaves(border, t, faces_[f].surface, size) ? beside + 1 : 0;
+      const bool ends = close && !on && stands_over(faces_[f].surface, foot, p);
+      beside = ends && leaves(border, t, faces_[f].surface, size) ? beside + 1 : 0;
       if (beside == run && !found) {
         found =
             Finding{"border_near_surface",
@@ -346,6 +352,11 @@ class Sharing {
       }
     }
     return found;
+  }
+  /// Whether a place is over its foot, and not beside the face.
+  [[nodiscard]] static bool stands_over(const surf::Surface& surface, const surf::Foot& foot, Point3 p) {
+    const auto normal = surf::normal(surface, foot.uv);
+    return normal && std::abs(dot(p - surface.at(foot.uv), *normal)) >= 0.9 * geom::distance(surface.at(foot.uv), p);
   }
   /// Whether the face of a border goes away from a surface that the border is beside: a tenth of the size across it,
   /// it is four of the widest gaps farther off. Plates that lie along each other do not.
@@ -391,8 +402,9 @@ class Sharing {
 
   std::vector<TrimmedSurface>& faces_;
   std::vector<Border> borders_;
-  std::vector<std::array<std::size_t, 3>> places_;  ///< Face, loop or line, edge of each.
-  std::vector<std::uint8_t> shared_;                ///< One a border.
+  std::vector<std::array<std::size_t, 3>> places_;        ///< Face, loop or line, edge of each.
+  std::vector<std::uint8_t> shared_;                      ///< One a border.
+  std::set<std::pair<std::size_t, std::size_t>> beside_;  ///< Borders told to run beside one of a face, with the face.
   double tolerance_ = 0.0, diagonal_ = 0.0;
 };
 

@@ -152,6 +152,8 @@ TEST(CommonBorders, BordersThatAreMeantSoAreNotToldToEndAboveASurface) {
   const std::string axes = "axis = [0, -1, 0]\nx_axis = [1, 0, 0]\n";
   EXPECT_EQ(told(plate + web() + internal("[[0, 5], [10, 5]]")), 0) << "joined";
   EXPECT_EQ(told(plate + flat("next", "u = [10, 15]\nv = [0, 10]\n")), 0) << "edge to edge";
+  EXPECT_EQ(told(plate + flat("next", "u = [10.005, 15]\nv = [0, 10]\n")), 0) << "a gap in one plane";
+  EXPECT_EQ(told(plate + flat("next", "u = [-5, -0.005]\nv = [0, 10]\n")), 0) << "a gap in one plane";
   EXPECT_EQ(told(plate + flat("wall", "u = [0, 10]\nv = [0, 4]\n", "origin = [0, 10, 0]\n" + axes)), 0) << "corner";
   EXPECT_EQ(told(plate + flat("patch", "u = [2, 7]\nv = [2, 7]\n", "origin = [0, 0, 0.001]\n")), 0) << "a second plate";
   EXPECT_EQ(told(plate + "[[input.surface]]\nname = \"pipe\"\nkind = \"cylinder\"\nradius = 1\nv = [2, 8]\naxis = [1, "
