@@ -83,12 +83,18 @@ base::Result<void> join_rounded_ends(ReadSection& read) {
   const auto ends_at_side = [](const Feature& line) { return line.kind == "horizon" || line.kind == "fault"; };
   EndingLines lines(section);
   std::vector<io::formats::Repair> repairs;
-  for (const auto& may : std::vector<std::function<bool(const Feature&, const Feature&)>>{
-           [&](const Feature&line, const Feature&onto) { return is_fault(line) && is_fault(onto); },
-           [&](const Feature&line, const Feature&onto) { return line.kind == "horizon" && is_fault(onto); },
-           [&](const Feature&line, const Feature&onto) {
-             return ends_at_side(line) && !is_fault(onto) && (line.kind != onto.kind || line.name != onto.name);
-           }}) {
+  using MaySnap = std::function<bool(const Feature&, const Feature&)>;
+  const MaySnap faults_on_faults = [&](const Feature& line, const Feature& onto) {
+    return is_fault(line) && is_fault(onto);
+  };
+  const MaySnap horizons_on_faults = [&](const Feature& line, const Feature& onto) {
+    return line.kind == "horizon" && is_fault(onto);
+  };
+  const MaySnap on_others = [&](const Feature& line, const Feature& onto) {
+    return ends_at_side(line) && !is_fault(onto) && (line.kind != onto.kind || line.name != onto.name);
+  };
+  // A branch that may not pass the end of a bed moves once that end lies on it, and takes it along.
+  for (const MaySnap& may : {faults_on_faults, horizons_on_faults, faults_on_faults, horizons_on_faults, on_others}) {
     options.may_snap = may;
     DOBRA_TRY(const std::vector<io::formats::Repair> done, io::formats::repair(lines.features, options));
     repairs.insert(repairs.end(), done.begin(), done.end());

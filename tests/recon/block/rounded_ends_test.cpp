@@ -350,6 +350,43 @@ TEST(RoundedEnds, BedsAtAnUnconformityAndFaultsAtFaultsAreJoinedToo) {
   EXPECT_EQ(made.section.horizons[1].line.points.front(), (Point{0, -90}));
 }
 
+/// Rounding may leave a bed's end on either side of the branch that it ends on: the branch then moves with it.
+TEST(RoundedEnds, ABranchMovesThoughBedsEndOnIt) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const Fault main({{1000, 50}, {1037.333, -777.777}});
+    const double lowest = between(-520, -400);
+    const Fault branch({{between(1200, 1600), 50}, {main.x(lowest), lowest}});
+    SectionInput input;
+    const auto line = [](const char* name, std::vector<Point> points, const char* whole = "") {
+      input::HorizonInput made;
+      made.name = name, made.piece_of = whole;
+      for (const Point p : points)
+        made.points.push_back({std::round(p.x / 0.01) / 100.0, std::round(p.y / 0.01) / 100.0});
+      return made;
+    };
+    const double left = between(-250, -210), middle = left - 60, right = between(-250, -210);
+    input.horizons = {line("bed (1)", {{0, left}, {main.x(left), left}}, "bed"),
+                      line("bed (2)", {{main.x(middle), middle}, {branch.x(middle), middle}}, "bed"),
+                      line("bed (3)", {{branch.x(right), right}, {2000, right}}, "bed")};
+    input.faults = {line("main", main.corners()), line("branch", branch.corners())};
+    const input::ReadSection made = read(input);
+    const auto is_vertex = [&](std::size_t fault, Point p) {
+      const std::vector<Point>& points = made.section.lines[fault].line.points;
+      return std::count(points.begin(), points.end(), p) == 1;
+    };
+    EXPECT_TRUE(is_vertex(0, made.section.lines[1].line.points.back()));
+    EXPECT_TRUE(is_vertex(0, made.section.horizons[0].line.points.back()));
+    EXPECT_TRUE(is_vertex(0, made.section.horizons[1].line.points.front()));
+    EXPECT_TRUE(is_vertex(1, made.section.horizons[1].line.points.back()));
+    EXPECT_TRUE(is_vertex(1, made.section.horizons[2].line.points.front()));
+  }
+}
+
 TEST(RoundedEnds, SectionsInCentimetresAreLofted) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
