@@ -361,7 +361,8 @@ class Sharing {
   /// Whether the face of a border goes away from a surface that the border is beside: a tenth of the size across it,
   /// it is four of the widest gaps farther off. Plates that lie along each other do not.
   [[nodiscard]] static bool leaves(const Border& border, double t, const surf::Surface& surface, double size) {
-    const auto [uv, way] = border.place(t);
+    const auto [at, way] = border.place(t);
+    const geom::Point uv = at;
     const surf::Jet jet = border.surface().jet(uv);
     const auto normal = surf::normal(jet);
     if (!normal || geom::length(way) == 0.0) return false;
