@@ -1,5 +1,5 @@
 // 1. Find the piece, and the DataArrays in each of its sections and of those beside it.
-// 2. Turn each DataArray into numbers (ASCII or base64 with a length in front).
+// 2. Turn each DataArray into numbers.
 #include "shared/io/meshes/vtk_arrays.h"
 
 #include <fmt/format.h>
@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <optional>
 
 #include "shared/base/text.h"
-#include "shared/io/base64.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::meshes {
@@ -49,15 +49,19 @@ Error VtkArrays::error(const pugi::xml_node& at, std::string message, ErrorCode 
   return Error{code, std::move(message), xml_->place(at)};
 }
 
-Result<VtkArrays> VtkArrays::read(const Xml& xml, std::string_view ending, const std::string& type,
-                                  std::initializer_list<const char*> sections) {
-  VtkArrays made(xml);
-  const pugi::xml_node file = xml.root().child("VTKFile");
+Result<VtkArrays> VtkArrays::read(std::string_view text, const std::string& path, std::string_view ending,
+                                  const std::string& type, std::initializer_list<const char*> sections) {
+  DOBRA_TRY(VtkParts parts, vtk_parts(text, path));
+  auto kept = std::make_unique<VtkParts>(std::move(parts));
+  DOBRA_TRY(Xml xml, Xml::parse(kept->markup, path));
+  VtkArrays made(std::move(kept), std::make_unique<const Xml>(std::move(xml)));
+  const pugi::xml_node file = made.xml_->root().child("VTKFile");
   if (!file) {
     return Error{ErrorCode::BadFormat, fmt::format("not a {} file: there is no VTKFile tag", ending),
-                 base::Place{.file = xml.file()}};
+                 base::Place{.file = path}};
   }
   DOBRA_TRY_VOID(made.check_header(file, type));
+  DOBRA_TRY_VOID(made.find_appended(file));
   const pugi::xml_node data = file.child(type.c_str());
   made.piece_ = data.child("Piece");
   if (const pugi::xml_node second = made.piece_.next_sibling("Piece"))
@@ -77,11 +81,28 @@ Result<void> VtkArrays::check_header(const pugi::xml_node& file, const std::stri
   if (given != type) return refuse(fmt::format("VTK type {} is not read here; give {}", shown(given), type));
   if (std::string_view(file.attribute("byte_order").as_string("LittleEndian")) != "LittleEndian")
     return refuse("only LittleEndian files are read");
-  if (file.attribute("compressor")) return refuse("compressed files are not read; save it uncompressed");
+  const std::string compressor = file.attribute("compressor").value();
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+    return refuse(
+        fmt::format("data compressed by {} are not read; save them with zlib or uncompressed", shown(compressor)));
   const std::string header = file.attribute("header_type").as_string("UInt32");
   if (header != "UInt32" && header != "UInt64")
     return refuse(fmt::format("header type {} is not known", shown(header)));
-  header_size_ = header == "UInt64" ? 8 : 4;
+  encoding_ = {.header_size = header == "UInt64" ? 8U : 4U, .zlib = !compressor.empty()};
+  return {};
+}
+
+Result<void> VtkArrays::find_appended(const pugi::xml_node& file) {
+  const pugi::xml_node node = file.child("AppendedData");
+  const std::string encoding = node.attribute("encoding").as_string("base64");
+  if (encoding == "raw") {
+    appended_ = parts_->appended;
+    return {};
+  }
+  if (encoding != "base64") return error(node, fmt::format("encoding {} is not known", shown(encoding)));
+  appended_base64_ = true;
+  appended_ = node.text().get();
+  appended_.remove_prefix(std::min(appended_.find('_'), appended_.size() - 1) + 1);
   return {};
 }
 
@@ -95,34 +116,46 @@ Result<void> VtkArrays::read_array(const pugi::xml_node& node, const std::string
   }
   array.field.components = static_cast<std::size_t>(*count);
   const std::string format = node.attribute("format").as_string("ascii");
-  if (format != "ascii" && format != "binary") {
-    return error(node, fmt::format("format {} is not read; save it as ASCII or inline binary", shown(format)),
-                 ErrorCode::UnknownFormat);
+  if (format == "ascii") {
+    DOBRA_TRY_VOID(read_ascii(node.text().get(), array.field.values));
+  } else if (format == "binary" || format == "appended") {
+    DOBRA_TRY_VOID(read_binary(node, array.field.values));
+  } else {
+    return error(node, fmt::format("format {} is not known; it is ascii, binary or appended", shown(format)));
   }
-  const auto is_text = [](const pugi::xml_node& child) { return child.type() != pugi::node_element; };
-  const auto text = std::find_if(node.begin(), node.end(), is_text);
-  if (text != node.end()) DOBRA_TRY_VOID(read_values(node, *text, array.field.values));
   arrays_[section].push_back(std::move(array));
   return {};
 }
 
-Result<void> VtkArrays::read_values(const pugi::xml_node& node, const pugi::xml_node& text,
-                                    std::vector<double>& values) const {
-  const std::string format = node.attribute("format").as_string("ascii");
+Result<void> VtkArrays::read_binary(const pugi::xml_node& node, std::vector<double>& values) const {
   const std::string name = node.attribute("type").value();
   const auto* type = std::find_if(std::begin(types), std::end(types), [&](const Type& t) { return t.name == name; });
   if (type == std::end(types)) return error(node, fmt::format("number type {} is not known", shown(name)));
-  if (format == "ascii") return read_ascii(text.value(), values);
-  const std::optional<std::string> bytes = from_base64(text.value());
-  if (!bytes || bytes->size() < header_size_) return error(text, "this array is not valid base64");
-  std::uint64_t size = 0;
-  std::memcpy(&size, bytes->data(), header_size_);
-  if (size != bytes->size() - header_size_ || size % type->size != 0) {
-    return error(text, fmt::format("the array says {} bytes and holds {}", size, bytes->size() - header_size_));
+  VtkEncoding encoding = encoding_;
+  std::string in_place;
+  std::string_view data;
+  if (std::string_view(node.attribute("format").value()) == "appended") {
+    const std::string offset = node.attribute("offset").value();
+    const std::optional<double> at = base::parse_number(offset);
+    if (!at || !(*at >= 0.0) || *at >= static_cast<double>(appended_.size()) || *at != std::floor(*at))
+      return error(node, fmt::format("offset {} does not lie in the appended data", shown(offset)));
+    data = appended_.substr(static_cast<std::size_t>(*at));
+    encoding.base64 = appended_base64_;
+  } else {
+    const std::string_view text = node.text().get();
+    std::copy_if(text.begin(), text.end(), std::back_inserter(in_place),
+                 [](char c) { return c != ' ' && c != '\n' && c != '\r' && c != '\t'; });
+    if (in_place.empty()) return {};
+    data = in_place;
+    encoding.alone = true;
   }
-  type->append(std::string_view(*bytes).substr(header_size_), values);
+  const Result<std::string> bytes = vtk_bytes(data, encoding);
+  if (!bytes) return error(node, bytes.error().message);
+  if (bytes->size() % type->size != 0)
+    return error(node, fmt::format("{} bytes are no whole number of {}", bytes->size(), name));
+  type->append(*bytes, values);
   for (const double value : values) {
-    if (!std::isfinite(value)) return error(text, "the array holds a number that is not finite", ErrorCode::NotFinite);
+    if (!std::isfinite(value)) return error(node, "the array holds a number that is not finite", ErrorCode::NotFinite);
   }
   return {};
 }

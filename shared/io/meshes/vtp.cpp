@@ -9,7 +9,6 @@
 #include "shared/base/text.h"
 #include "shared/io/meshes/vtk_arrays.h"
 #include "shared/io/scan.h"
-#include "shared/io/xml.h"
 
 namespace dobra::io::meshes {
 
@@ -94,8 +93,7 @@ Result<void> read_faces(VtkArrays& arrays, mesh::PolygonMesh& mesh) {
 }  // namespace
 
 Result<mesh::PolygonMesh> parse_vtp(std::string_view text, const std::string& file) {
-  DOBRA_TRY(const Xml xml, Xml::parse(text, file));
-  DOBRA_TRY(VtkArrays arrays, VtkArrays::read(xml, ".vtp", "PolyData", {"Points", "Strips", "Polys"}));
+  DOBRA_TRY(VtkArrays arrays, VtkArrays::read(text, file, ".vtp", "PolyData", {"Points", "Strips", "Polys"}));
   mesh::PolygonMesh mesh;
   DOBRA_TRY_VOID(read_points(arrays, mesh));
   for (const VtkArray& strips : arrays.of("Strips")) {

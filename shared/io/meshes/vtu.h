@@ -1,7 +1,7 @@
 #pragma once
 // VTK's XML unstructured grid (.vtu), serial: a mesh with numbers at its points and elements, for ParaView and the
 // like. Reads back what it writes, and other files of triangles and quadrilaterals (first and second order) that are
-// ASCII or inline, uncompressed base64. Source: [vtkfileformats].
+// ASCII or binary. Source: [vtkfileformats].
 //
 // Sets stand in the FieldData: "side_set NAME" (element, side), "node_set NAME" (nodes), "tip NAME" (node, direction),
 // "region NAME" (tag), numbers from 0. Elements carry their region's tag as the field "region".
@@ -48,7 +48,7 @@ base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& m
                              VtuEncoding encoding = VtuEncoding::Ascii, Heights heights = {});
 
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:
-///        appended or compressed data, cells that are neither triangles nor quadrilaterals.
+///        data compressed by another library than zlib, cells that are neither triangles nor quadrilaterals.
 base::Result<VtuContents> read_vtu(const std::string& path);
 base::Result<VtuContents> parse_vtu(std::string_view text, const std::string& file,
                                     Flatness flatness = Flatness::Plane);

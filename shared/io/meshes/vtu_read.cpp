@@ -12,7 +12,6 @@
 #include "shared/io/meshes/vtk_arrays.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
-#include "shared/io/xml.h"
 
 namespace dobra::io::meshes {
 
@@ -176,8 +175,7 @@ class VtuReader {
 }  // namespace
 
 Result<VtuContents> parse_vtu(std::string_view text, const std::string& file, Flatness flatness) {
-  DOBRA_TRY(const Xml xml, Xml::parse(text, file));
-  DOBRA_TRY(VtkArrays arrays, VtkArrays::read(xml, ".vtu", "UnstructuredGrid",
+  DOBRA_TRY(VtkArrays arrays, VtkArrays::read(text, file, ".vtu", "UnstructuredGrid",
                                               {"FieldData", "PointData", "CellData", "Points", "Cells"}));
   return VtuReader(std::move(arrays), flatness).run();
 }

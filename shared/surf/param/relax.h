@@ -7,6 +7,7 @@
 
 #include "shared/base/progress.h"
 #include "shared/base/result.h"
+#include "shared/geom/point.h"
 #include "shared/surf/param/sheet.h"
 
 namespace dobra::surf::param {

@@ -97,7 +97,7 @@ TEST(Vtu, BadTextIsRefusedWithItsPlace) {
       {"", ErrorCode::EmptyFile, "f:0:0", "empty"},
       {"hello\n", ErrorCode::BadFormat, "f:0:0", "not a .vtu file"},
       {replaced("\"UnstructuredGrid\"", "\"PolyData\""), ErrorCode::UnknownFormat, "f:2:1", "'PolyData'"},
-      {replaced("\"ascii\"", "\"appended\""), ErrorCode::UnknownFormat, "f:8:1", "'appended'"},
+      {replaced("\"ascii\"", "\"appended\""), ErrorCode::BadFormat, "f:8:1", "does not lie in the appended data"},
       {replaced("<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n",
                 "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n1 "
                 "zwei 0 "),

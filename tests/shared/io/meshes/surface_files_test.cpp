@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "shared/io/base64.h"
 #include "shared/io/formats/format.h"
 #include "shared/io/meshes/dxf_faces.h"
@@ -213,6 +215,105 @@ TEST(VtpFile, InlineBinaryIsRead) {
   }
 }
 
+// The two triangles with all arrays appended: `at` are the offsets of the points, corners and ends in `data`.
+std::string appended_vtp(const std::string& attributes, const std::string& encoding, std::array<std::size_t, 3> at,
+                         const std::string& data) {
+  const auto array = [](const char* type, const char* name, const char* more, std::size_t offset) {
+    return fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" {}format=\"appended\" offset=\"{}\"><InformationKey name=\"k\"/>"
+        "</DataArray>\n",
+        type, name, more, offset);
+  };
+  return fmt::format(
+             "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" {}>\n<PolyData>\n"
+             "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\">\n<Points>\n",
+             attributes) +
+         array("Float64", "P", "NumberOfComponents=\"3\" ", at[0]) + "</Points>\n<Polys>\n" +
+         array("Int64", "connectivity", "", at[1]) + array("Int64", "offsets", "", at[2]) +
+         fmt::format(
+             "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"{}\">\n_{}\n</AppendedData>\n"
+             "</VTKFile>\n",
+             encoding, data);
+}
+
+template <class T>
+std::string raw(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+// What ParaView saves: raw data behind the markup, with any bytes in them, also those of tags.
+std::string raw_vtp() {
+  const auto array = [](const std::string& bytes) { return raw(std::vector<std::uint64_t>{bytes.size()}) + bytes; };
+  const std::string points = array(raw(std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0.25, 0, 1, 0}));
+  const std::string corners = array(raw(std::vector<std::int64_t>{0, 1, 2, 0, 2, 3}));
+  const std::string between = "</AppendedData> <_ \"";
+  return appended_vtp("header_type=\"UInt64\"", "raw",
+                      {0, points.size() + between.size(), points.size() + between.size() + corners.size()},
+                      points + between + corners + array(raw(std::vector<std::int64_t>{3, 6})));
+}
+
+// VTK 9.1 wrote these arrays of the same triangles: heads and data by zlib in base64, of one block each.
+const char zlib_points[] = "AQAAAAAQAABgAAAAFwAAAA==eF5jYMAHPtjjF4fRF9DUIfQBAM6TBcw=";
+const char zlib_corners[] = "AQAAAAAQAAAwAAAAFgAAAA==eF5jYIAARijNxIAKYHxmKA0AANAACQ==";
+const char zlib_ends[] = "AQAAAAAQAAAQAAAADgAAAA==eF5jZoAANigNAABwAAo=";
+
+std::string zlib_vtp() {
+  const std::string points = zlib_points;
+  const std::string corners = zlib_corners;
+  return appended_vtp("compressor=\"vtkZLibDataCompressor\"", "base64",
+                      {0, points.size(), points.size() + corners.size()}, points + corners + zlib_ends);
+}
+
+void holds_two(const std::string& text) {
+  const auto read = parse_vtp(text, "f");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->points, (std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}));
+  EXPECT_EQ(read->faces, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(VtpFile, WhatVtkWritesIsRead) {
+  holds_two(raw_vtp());
+  holds_two(zlib_vtp());
+  std::string in_place = zlib_vtp();
+  const auto put = [&](const std::string& name, const std::string& data) {
+    const std::size_t at = in_place.find("format=\"appended\"", in_place.find("Name=\"" + name));
+    in_place.replace(at, in_place.find('>', at) + 1 - at, "format=\"binary\">\n  " + data + "\n");
+  };
+  put("P", zlib_points);
+  put("connectivity", zlib_corners);
+  put("offsets", zlib_ends);
+  holds_two(in_place);
+}
+
+// Cut anywhere, or with any byte changed, it is refused or read; never more.
+TEST(VtpFile, DamagedDataAreRefused) {
+  const auto said = [](const std::string& text) {
+    const auto read = parse_vtp(text, "f");
+    return read.ok() ? std::string("read") : to_string(read.error());
+  };
+  EXPECT_THAT(said(raw_vtp().substr(0, raw_vtp().size() - 30)), AllOf(HasSubstr("f:13"), HasSubstr("cut short")));
+  for (const std::string& good : {raw_vtp(), zlib_vtp()}) {
+    for (std::size_t size = 0; size + 12 < good.size(); size += 3)
+      EXPECT_FALSE(parse_vtp(good.substr(0, size), "f").ok()) << size;
+    for (std::size_t at = 0; at < good.size(); ++at) {
+      for (const char byte : {'\xff', '9'}) {
+        std::string bad = good;
+        bad[at] = byte;
+        (void)parse_vtp(bad, "f");
+      }
+    }
+  }
+  std::string bad = zlib_vtp();
+  bad.replace(bad.find("eF5jYMAHPtjj"), 12, "eF5jYMAHPujj");
+  EXPECT_THAT(said(bad), AllOf(HasSubstr("f:5"), HasSubstr("zlib cannot unpack")));
+  bad = zlib_vtp();
+  bad.replace(bad.find("offset=\"0\""), 10, "offset=\"900\"");
+  EXPECT_THAT(said(bad), AllOf(HasSubstr("f:5"), HasSubstr("offset '900' does not lie")));
+  bad = zlib_vtp();
+  bad.replace(bad.find("_AQAAAAAQAABgAAAA"), 17, "_AQAAAAAQAABg////");  // a block of four thousand million bytes
+  EXPECT_THAT(said(bad), AllOf(HasSubstr("f:5"), HasSubstr("zlib cannot unpack")));
+}
+
 TEST(VtpFile, WhatIsWrongIsRefusedWithItsLine) {
   const mesh::PolygonMesh two{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const std::string good = *vtp_text(two);
@@ -240,7 +341,9 @@ TEST(VtpFile, WhatIsWrongIsRefusedWithItsLine) {
   EXPECT_THAT(said("type=\"PolyData\"", "type=\"ImageData\""), AllOf(HasSubstr("f:2"), HasSubstr("give PolyData")));
   EXPECT_THAT(said("format=\"ascii\"", "format=\"appended\" offset=\"0\""),
               AllOf(HasSubstr("f:10"), HasSubstr("appended")));
-  EXPECT_THAT(said("header_type", "compressor=\"vtkZLibDataCompressor\" header_type"), HasSubstr("compressed"));
+  EXPECT_THAT(said("format=\"ascii\"", "format=\"packed\""), AllOf(HasSubstr("f:10"), HasSubstr("packed")));
+  EXPECT_THAT(said("header_type", "compressor=\"vtkLZ4DataCompressor\" header_type"),
+              AllOf(HasSubstr("f:2"), HasSubstr("vtkLZ4DataCompressor"), HasSubstr("zlib")));
   EXPECT_THAT(said("<Polys>",
                    "<Strips>\n<DataArray type=\"Int64\" Name=\"connectivity\">0 1 2 3</DataArray>\n</Strips>\n<Polys>"),
               HasSubstr("strips of triangles"));
