@@ -1,10 +1,14 @@
 #include "recon/section/rejoin.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "shared/geom/intersect.h"
 #include "shared/geom/predicates.h"
 
 namespace recon::section {
@@ -69,6 +73,13 @@ bool find_line(std::span<const Line> others, double reach, LineEndAt& end) {
   return end.near != nullptr;
 }
 
+/// Moves an end, and what else has a vertex there.
+void move(geom::Point from, geom::Point to, std::span<const Line> lines) {
+  for (const Line& line : lines) {
+    if (line.box.overlaps({from, from})) std::replace(line.line->points.begin(), line.line->points.end(), from, to);
+  }
+}
+
 }  // namespace
 
 void rejoin_ends(Section& section, double reach) {
@@ -107,8 +118,42 @@ void rejoin_ends(Section& section, double reach) {
     if (!segment) continue;
     const geom::Segment side = end.near->segment(*segment);
     const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, end.point()));
-    end.point() = place_on(*end.near, *segment, at, reach);
+    move(end.point(), place_on(*end.near, *segment, at, reach), all);
   }
+}
+
+std::optional<Overshoot> overshoot_of(const Section& section, const Horizon& horizon, LineEnd end, double longest) {
+  geom::Polyline line = horizon.line;
+  if (end == LineEnd::First) std::reverse(line.points.begin(), line.points.end());
+  std::optional<Overshoot> found;
+  double way = 0.0;
+  for (std::size_t i = line.segment_count(); i-- > 0 && way < longest && !found;) {
+    const geom::Segment side = line.segment(i);
+    for (const SectionLine& fault : section.lines) {
+      if (fault.kind != LineKind::Fault || !fault.line.box().overlaps(side.box())) continue;
+      for (std::size_t k = 0; k < fault.line.segment_count(); ++k) {
+        const geom::Intersection met = geom::intersect(side, fault.line.segment(k));
+        if (met.kind == geom::IntersectionKind::None || (i == 0 && met.start.point == side.from)) continue;
+        const double length = way + geom::distance(met.start.point, side.to);
+        if (length > 0.0 && length < (found ? found->length : longest)) found = Overshoot{&horizon, &fault, length};
+      }
+    }
+    way += side.length();
+  }
+  return found;
+}
+
+std::string words_of(const Overshoot& overshoot) {
+  return fmt::format(
+      "horizon '{}' goes on {:.4g} m beyond fault '{}', which it crosses, and ends there; "
+      "snap_to_faults of {:g} m (--snap) cuts it back to the fault",
+      overshoot.horizon->name, overshoot.length, overshoot.fault->name, tolerance_above(overshoot.length));
+}
+
+double tolerance_above(double length) {
+  if (!(length > 0.0)) return 0.0;
+  const double step = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+  return (std::floor(length / step) + 1.0) * step;
 }
 
 }  // namespace recon::section
