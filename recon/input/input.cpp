@@ -18,6 +18,7 @@
 #include "recon/input/unit_horizons.h"
 #include "recon/section/crossings.h"
 #include "recon/section/file_rounding.h"
+#include "recon/section/rejoin.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/place.h"
 #include "shared/io/lines/section_ends.h"
@@ -220,9 +221,12 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
   return horizons;
 }
 
-/// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there.
+/// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there, unless
+/// they are beyond a fault.
 void tell_open_ends(const section::Section& section, std::vector<std::string>& remarks) {
   const double near = rounding_of_files(section);
+  constexpr double beside = 0.01;  // of the section: what goes on farther was drawn so
+  const double far = beside * box_of(section).diagonal();
   for (const section::Horizon& horizon : section.horizons) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       if (is_outermost(section, horizon, end)) continue;
@@ -236,6 +240,10 @@ void tell_open_ends(const section::Section& section, std::vector<std::string>& r
         return whole_name(other) != whole_name(horizon) && geom::distance(other.line, p) <= near;
       };
       if (nearest <= near || std::any_of(section.horizons.begin(), section.horizons.end(), is_truncated_by)) continue;
+      if (const auto overshoot = overshoot_of(section, horizon, end, far)) {
+        remarks.push_back(words_of(*overshoot));
+        continue;
+      }
       const std::string gap =
           std::isfinite(nearest) ? fmt::format("{:.4g} m from the nearest fault", nearest) : std::string("on no fault");
       remarks.push_back(
