@@ -344,6 +344,8 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
+  constexpr double same_place = 1e-9;  // of the diagonal
+  if (result.section.units.empty()) join_at_branches(result.section, same_place * box_of(result.section).diagonal());
   DOBRA_TRY_VOID(join_gaps(input.horizons, result));
   if (input.horizons_from_units) DOBRA_TRY_VOID(add_horizons_of_units(input.share_edges, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));

@@ -74,7 +74,7 @@ bool find_line(std::span<const Line> others, double reach, LineEndAt& end) {
 }
 
 /// Moves an end, and what else has a vertex there.
-void move(geom::Point from, geom::Point to, std::span<const Line> lines) {
+void move_vertices(geom::Point from, geom::Point to, std::span<const Line> lines) {
   for (const Line& line : lines) {
     if (line.box.overlaps({from, from})) std::replace(line.line->points.begin(), line.line->points.end(), from, to);
   }
@@ -118,7 +118,41 @@ void rejoin_ends(Section& section, double reach) {
     if (!segment) continue;
     const geom::Segment side = end.near->segment(*segment);
     const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, end.point()));
-    move(end.point(), place_on(*end.near, *segment, at, reach), all);
+    move_vertices(end.point(), place_on(*end.near, *segment, at, reach), all);
+  }
+}
+
+void join_at_branches(Section& section, double reach) {
+  std::vector<Line> faults, all;
+  for (SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Fault) faults.push_back({&line.line, line.line.box().grown(reach)});
+  }
+  all = faults;
+  std::vector<geom::Point*> beds;
+  for (Horizon& horizon : section.horizons) {
+    all.push_back({&horizon.line, horizon.line.box().grown(reach)});
+    beds.push_back(&horizon.line.points.front());
+    beds.push_back(&horizon.line.points.back());
+  }
+  for (const Line& branch : faults) {
+    for (const bool first : {true, false}) {
+      const geom::Point end = first ? branch.line->points.front() : branch.line->points.back();
+      const auto is_here = [&](const geom::Point* bed) { return geom::distance(*bed, end) <= reach; };
+      if (std::none_of(beds.begin(), beds.end(), is_here)) continue;
+      for (const Line& main : faults) {
+        if (main.line == branch.line || !main.box.overlaps({end, end})) continue;
+        const auto segment = segment_near(*main.line, end, reach);
+        if (!segment) continue;
+        const geom::Segment side = main.line->segment(*segment);
+        const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, end));
+        const geom::Point vertex = place_on(*main.line, *segment, at, reach);
+        for (geom::Point* const bed : beds) {
+          if (is_here(bed)) *bed = vertex;
+        }
+        move_vertices(end, vertex, all);
+        break;
+      }
+    }
   }
 }
 
@@ -153,7 +187,8 @@ std::string words_of(const Overshoot& overshoot) {
 double tolerance_above(double length) {
   if (!(length > 0.0)) return 0.0;
   const double step = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
-  return (std::floor(length / step) + 1.0) * step;
+  constexpr double safe = 1.0 + 1e-6;  // against the rounding of what it is compared with
+  return (std::floor(safe * length / step) + 1.0) * step;
 }
 
 }  // namespace recon::section

@@ -15,6 +15,10 @@ namespace recon::section {
 /// @cost  O(ends x lines + points of the lines near an end)
 void rejoin_ends(Section& section, double reach);
 
+/// Where horizons end within `reach` of the end of a fault that lies within it of another fault: all of them get one
+/// vertex there. Else nothing changes.
+void join_at_branches(Section& section, double reach);
+
 /// What of a horizon lies beyond the fault that it crosses last before an end of it.
 struct Overshoot {
   const Horizon* horizon = nullptr;

@@ -424,7 +424,12 @@ TEST(RoundedEnds, ABedThatEndsWhereAFaultBranchesOffHasBothItsSides) {
       if (turned) std::reverse(input.faults.begin(), input.faults.end());
       for (const std::optional<double> snap : {std::optional<double>(), std::optional(0.0)}) {
         input.snap_to_faults = snap;
-        const Block made = test::block(read(input).section, along);
+        const section::Section section = read(input).section;
+        const geom::Point end = section.lines[turned ? 0 : 1].line.points.back();
+        const std::vector<Point>& of_main = section.lines[turned ? 1 : 0].line.points;
+        EXPECT_EQ(std::count(of_main.begin(), of_main.end(), end), 1);
+        EXPECT_EQ(section.horizons[4].line.points.front(), end);
+        const Block made = test::block(section, along);
         EXPECT_TRUE(made.findings.empty());
         ASSERT_EQ(made.units.size(), 2U) << made.units[0].name << ", " << made.units[1].name << ", "
                                          << made.units[2].name;
