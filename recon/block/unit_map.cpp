@@ -9,6 +9,7 @@
 #include "recon/input/unit_owners.h"
 #include "recon/section/face_contours.h"
 #include "recon/section/file_rounding.h"
+#include "recon/section/rejoin.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/contour.h"
 #include "shared/geom/place.h"
@@ -66,7 +67,8 @@ std::string whole_unit_name(const section::Section& section, const section::Rock
                                : unit.name;
 }
 
-/// Ends of horizons that rounding or drawing left beside their fault: there the units above and below run together.
+/// Ends of horizons that rounding or drawing left beside their fault: short of it the units above and below run
+/// together.
 void tell_rounded_ends(const section::Section& section, UnitMap& map) {
   const Subdivision& sub = map.arrangement.subdivision();
   std::map<std::pair<double, double>, topo::VertexId> loose;
@@ -80,20 +82,26 @@ void tell_rounded_ends(const section::Section& section, UnitMap& map) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       const geom::Point p = end == section::LineEnd::First ? horizon.line.points.front() : horizon.line.points.back();
       const auto at = loose.find({p.x, p.y});
-      if (at == loose.end() || is_outermost(section, horizon, end)) continue;
+      if (at == loose.end()) continue;
       const topo::VertexId next = sub.target(sub.round(at->second).front());
       if (sub.degree(next) > 2 && geom::distance(sub.point(next), p) <= near) continue;  // it goes on past the fault
-      for (const section::SectionLine& line : section.lines) {
-        const double gap = geom::distance(line.line, p);
-        if (line.kind != section::LineKind::Fault || gap > far) continue;
-        map.findings.push_back(
-            {"open_end",
-             fmt::format("horizon '{}' ends {:.4g} m beside fault '{}', so that the units above and below it run "
-                         "together there and may be open; snap_to_faults (--snap) moves its end onto the fault",
-                         horizon.name, gap, line.name),
-             geom::place_at(p)});
-        break;
+      if (const auto overshoot = overshoot_of(section, horizon, end, far)) {
+        map.findings.push_back({"overshoot", words_of(*overshoot), geom::place_at(p)});
+        continue;
       }
+      const section::SectionLine* nearest = nullptr;
+      double gap = far;
+      for (const section::SectionLine& line : section.lines) {
+        const double distance = geom::distance(line.line, p);
+        if (line.kind == section::LineKind::Fault && distance <= gap) nearest = &line, gap = distance;
+      }
+      if (nearest == nullptr || is_outermost(section, horizon, end)) continue;
+      map.findings.push_back(
+          {"open_end",
+           fmt::format("horizon '{}' ends {:.4g} m beside fault '{}', so that the units above and below it run "
+                       "together there and may be open; snap_to_faults of {:g} m (--snap) moves its end onto the fault",
+                       horizon.name, gap, nearest->name, section::tolerance_above(gap)),
+           geom::place_at(p)});
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "recon/block/cut_input.h"
 #include "recon/block/loft.h"
+#include "recon/input/input.h"
 #include "recon/input/section_input.h"
 #include "recon/model/model.h"
 #include "recon/space/placed.h"
@@ -71,8 +72,13 @@ Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document d
   if (run.error) return *run.error;
   const auto& model = scenario::model_of<model::Model>(run.states.back());
   std::vector<base::Finding> remarks;
-  for (const std::string& remark : model.remarks)
-    remarks.push_back({"section_remark", remark, base::Place{.file = document.file.string()}});
+  const auto* const places = model.findings.get<input::RemarkPlaces>();
+  for (const std::string& remark : model.remarks) {
+    base::Place place;
+    if (places != nullptr && places->of.contains(remark)) place = places->of.at(remark);
+    place.file = document.file.string();
+    remarks.push_back({"section_remark", remark, std::move(place)});
+  }
   const auto with_remarks = [&](block::Block block) {
     block.findings.insert(block.findings.begin(), remarks.begin(), remarks.end());
     return block;

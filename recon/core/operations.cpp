@@ -55,6 +55,7 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
   }
   model.section = std::move(read.section);
   model.remarks = std::move(read.remarks);
+  model.findings.set(input::RemarkPlaces{std::move(read.places)}, {});
   model.trace = read.trace;
   if (input.cut.empty()) model.along_strike = input.along_strike.value_or(0.0);
   return scenario::make_state(std::move(model));

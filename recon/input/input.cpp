@@ -18,6 +18,7 @@
 #include "recon/input/unit_horizons.h"
 #include "recon/section/crossings.h"
 #include "recon/section/file_rounding.h"
+#include "recon/section/rejoin.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/place.h"
 #include "shared/io/lines/section_ends.h"
@@ -220,9 +221,12 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
   return horizons;
 }
 
-/// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there.
+/// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there, unless
+/// they are beyond a fault.
 void tell_open_ends(const section::Section& section, std::vector<std::string>& remarks) {
   const double near = rounding_of_files(section);
+  constexpr double beside = 0.01;  // of the section: what goes on farther was drawn so
+  const double far = beside * box_of(section).diagonal();
   for (const section::Horizon& horizon : section.horizons) {
     for (const section::LineEnd end : {section::LineEnd::First, section::LineEnd::Last}) {
       if (is_outermost(section, horizon, end)) continue;
@@ -236,6 +240,10 @@ void tell_open_ends(const section::Section& section, std::vector<std::string>& r
         return whole_name(other) != whole_name(horizon) && geom::distance(other.line, p) <= near;
       };
       if (nearest <= near || std::any_of(section.horizons.begin(), section.horizons.end(), is_truncated_by)) continue;
+      if (const auto overshoot = overshoot_of(section, horizon, end, far)) {
+        remarks.push_back(words_of(*overshoot));
+        continue;
+      }
       const std::string gap =
           std::isfinite(nearest) ? fmt::format("{:.4g} m from the nearest fault", nearest) : std::string("on no fault");
       remarks.push_back(
@@ -336,6 +344,8 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
+  constexpr double same_place = 1e-9;  // of the diagonal
+  if (result.section.units.empty()) join_at_branches(result.section, same_place * box_of(result.section).diagonal());
   DOBRA_TRY_VOID(join_gaps(input.horizons, result));
   if (input.horizons_from_units) DOBRA_TRY_VOID(add_horizons_of_units(input.share_edges, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));

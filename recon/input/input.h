@@ -3,6 +3,7 @@
 // GOCAD, MOVE, Shapefile, GeoPackage, WKT) or written in the scenario itself. What is doubtful is refused or repaired
 // with a remark, never guessed.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ namespace recon::input {
 
 struct ReadSection {
   section::Section section;
-  std::vector<std::string> remarks;  ///< Repairs and doubts, one line each.
+  std::vector<std::string> remarks;             ///< Repairs and doubts, one line each.
+  std::map<std::string, base::Place> places{};  ///< Of remarks that have one, by their text.
   /// The plane that it stands in, as the input says or as lines in space were laid into it.
   std::optional<dobra::io::lines::Trace> trace = std::nullopt;
 };
@@ -27,6 +29,11 @@ struct ReadSection {
 ///        of the file readers, each with the file or the horizon and the place.
 base::Result<ReadSection> read_section(const SectionInput& input, const dobra::scenario::Context& context,
                                        const base::Progress& progress);
+
+/// Of remarks on a section that have a place, by their text.
+struct RemarkPlaces {
+  std::map<std::string, base::Place> of;
+};
 
 struct ReadLine {
   geom::Polyline line;

@@ -1,10 +1,14 @@
 #include "recon/section/rejoin.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "shared/geom/intersect.h"
 #include "shared/geom/predicates.h"
 
 namespace recon::section {
@@ -69,6 +73,13 @@ bool find_line(std::span<const Line> others, double reach, LineEndAt& end) {
   return end.near != nullptr;
 }
 
+/// Moves an end, and what else has a vertex there.
+void move_vertices(geom::Point from, geom::Point to, std::span<const Line> lines) {
+  for (const Line& line : lines) {
+    if (line.box.overlaps({from, from})) std::replace(line.line->points.begin(), line.line->points.end(), from, to);
+  }
+}
+
 }  // namespace
 
 void rejoin_ends(Section& section, double reach) {
@@ -107,8 +118,77 @@ void rejoin_ends(Section& section, double reach) {
     if (!segment) continue;
     const geom::Segment side = end.near->segment(*segment);
     const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, end.point()));
-    end.point() = place_on(*end.near, *segment, at, reach);
+    move_vertices(end.point(), place_on(*end.near, *segment, at, reach), all);
   }
+}
+
+void join_at_branches(Section& section, double reach) {
+  std::vector<Line> faults, all;
+  for (SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Fault) faults.push_back({&line.line, line.line.box().grown(reach)});
+  }
+  all = faults;
+  std::vector<geom::Point*> beds;
+  for (Horizon& horizon : section.horizons) {
+    all.push_back({&horizon.line, horizon.line.box().grown(reach)});
+    beds.push_back(&horizon.line.points.front());
+    beds.push_back(&horizon.line.points.back());
+  }
+  for (const Line& branch : faults) {
+    for (const bool first : {true, false}) {
+      const geom::Point end = first ? branch.line->points.front() : branch.line->points.back();
+      const auto is_here = [&](const geom::Point* bed) { return geom::distance(*bed, end) <= reach; };
+      if (std::none_of(beds.begin(), beds.end(), is_here)) continue;
+      for (const Line& main : faults) {
+        if (main.line == branch.line || !main.box.overlaps({end, end})) continue;
+        const auto segment = segment_near(*main.line, end, reach);
+        if (!segment) continue;
+        const geom::Segment side = main.line->segment(*segment);
+        const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, end));
+        const geom::Point vertex = place_on(*main.line, *segment, at, reach);
+        for (geom::Point* const bed : beds) {
+          if (is_here(bed)) *bed = vertex;
+        }
+        move_vertices(end, vertex, all);
+        break;
+      }
+    }
+  }
+}
+
+std::optional<Overshoot> overshoot_of(const Section& section, const Horizon& horizon, LineEnd end, double longest) {
+  geom::Polyline line = horizon.line;
+  if (end == LineEnd::First) std::reverse(line.points.begin(), line.points.end());
+  std::optional<Overshoot> found;
+  double way = 0.0;
+  for (std::size_t i = line.segment_count(); i-- > 0 && way < longest && !found;) {
+    const geom::Segment side = line.segment(i);
+    for (const SectionLine& fault : section.lines) {
+      if (fault.kind != LineKind::Fault || !fault.line.box().overlaps(side.box())) continue;
+      for (std::size_t k = 0; k < fault.line.segment_count(); ++k) {
+        const geom::Intersection met = geom::intersect(side, fault.line.segment(k));
+        if (met.kind == geom::IntersectionKind::None || (i == 0 && met.start.point == side.from)) continue;
+        const double length = way + geom::distance(met.start.point, side.to);
+        if (length > 0.0 && length < (found ? found->length : longest)) found = Overshoot{&horizon, &fault, length};
+      }
+    }
+    way += side.length();
+  }
+  return found;
+}
+
+std::string words_of(const Overshoot& overshoot) {
+  return fmt::format(
+      "horizon '{}' goes on {:.4g} m beyond fault '{}', which it crosses, and ends there; "
+      "snap_to_faults of {:g} m (--snap) cuts it back to the fault",
+      overshoot.horizon->name, overshoot.length, overshoot.fault->name, tolerance_above(overshoot.length));
+}
+
+double tolerance_above(double length) {
+  if (!(length > 0.0)) return 0.0;
+  const double step = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+  constexpr double safe = 1.0 + 1e-6;  // against the rounding of what it is compared with
+  return (std::floor(safe * length / step) + 1.0) * step;
 }
 
 }  // namespace recon::section

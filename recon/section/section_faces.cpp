@@ -160,12 +160,15 @@ class Units {
       const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(order[rank]));
       lengths_.push_back(path.size());
       for (const HalfEdgeId h : path) {
+        if (sub.face(h) == sub.face(Structure::twin(h))) continue;  // what ends within a face does not bound it
         ++bounds_[sub.face(h)].under[rank];
         ++bounds_[sub.face(Structure::twin(h))].over[rank];
       }
     }
   }
 
+  /// By a horizon, the one that lies beyond all faces on one side of it; none where that differs.
+  using Neighbours = std::map<std::string, std::optional<std::size_t>>;
   /// Faces of one unit, -1: without a horizon over them, else the rank of that.
   using Group = std::pair<std::ptrdiff_t, std::vector<FaceId>>;
   /// What the faces fall into, from the top down.
@@ -178,14 +181,16 @@ class Units {
     }
     return {by_top.begin(), by_top.end()};
   }
+  /// Where faults alone are the floor of a unit, the horizon under all other faces under its top is its base.
   [[nodiscard]] std::vector<RockUnit> of(const std::vector<Group>& groups) const {
-    return base::parallel_map<RockUnit>(groups.size(),
-                                        [&](std::size_t i) { return unit_of(groups[i].first, groups[i].second); });
+    const Neighbours below = bases_below(groups);
+    return base::parallel_map<RockUnit>(
+        groups.size(), [&](std::size_t i) { return unit_of(groups[i].first, groups[i].second, below); });
   }
 
  private:
-  /// The rank of the horizon over each face. Where a fault is the roof of one, that of what lies over the fault counts,
-  /// unless it belongs below the face.
+  /// The rank of the horizon over each face. Where faults are the roof of one, that of all other faces on its floor
+  /// counts; if they differ, that of what lies over most of the faults, unless it belongs below the face.
   [[nodiscard]] std::map<FaceId, std::size_t> tops_of(const std::vector<FaceId>& faces) const {
     std::map<FaceId, std::size_t> tops;
     std::vector<FaceId> open;
@@ -197,53 +202,107 @@ class Units {
         tops[f] = bounds.over.rbegin()->first;
       }
     }
+    const Neighbours above = tops_above(tops);
     for (bool found = true; found;) {  // one fault after the other
       found = false;
       for (const FaceId f : open) {
-        const std::optional<FaceId> over = over_fault(f);
-        const auto top = over ? tops.find(*over) : tops.end();
-        if (top == tops.end() || tops.contains(f)) continue;
+        if (tops.contains(f)) continue;
+        const Side roof = side_of(f, true);
+        if (roof.faults < 0.9 * roof.all) continue;  // open above
+        std::optional<std::size_t> top = over_faults(roof, tops);
         const Bounds bounds = bounds_of(f);
-        if (!bounds.under.empty() && belongs_below(top->second, bounds.under.begin()->first)) continue;
-        tops[f] = top->second;
+        if (!bounds.under.empty()) {
+          const std::size_t floor = bounds.under.begin()->first;
+          const auto other = above.find(whole(floor));
+          if (other != above.end() && other->second)
+            top = other->second;
+          else if (top && belongs_below(*top, floor))
+            continue;
+        }
+        if (!top) continue;
+        tops[f] = *top;
         found = true;
       }
     }
     return tops;
   }
 
+  [[nodiscard]] const std::string& whole(std::size_t rank) const { return whole_name(section_.horizons[order_[rank]]); }
+
+  void add_neighbour(std::size_t rank, std::size_t beyond, Neighbours& neighbours) const {
+    const auto [at, is_new] = neighbours.try_emplace(whole(rank), beyond);
+    if (!is_new && at->second && whole(*at->second) != whole(beyond)) at->second.reset();
+  }
+  [[nodiscard]] Neighbours tops_above(const std::map<FaceId, std::size_t>& tops) const {
+    Neighbours above;
+    for (const auto& [f, top] : tops) {
+      const Bounds bounds = bounds_of(f);
+      if (!bounds.under.empty()) add_neighbour(bounds.under.begin()->first, top, above);
+    }
+    return above;
+  }
+  [[nodiscard]] Neighbours bases_below(const std::vector<Group>& groups) const {
+    Neighbours below;
+    for (const auto& [top, faces] : groups) {
+      for (const FaceId f : faces) {
+        const Bounds bounds = bounds_of(f);
+        if (top >= 0 && !bounds.under.empty())
+          add_neighbour(static_cast<std::size_t>(top), bounds.under.begin()->first, below);
+      }
+    }
+    return below;
+  }
+
   /// Whether a piece of the horizon lies no higher than the one that a face lies on.
   [[nodiscard]] bool belongs_below(std::size_t rank, std::size_t under) const {
-    const std::string& whole = whole_name(section_.horizons[order_[rank]]);
     for (std::size_t k = under; k < order_.size(); ++k) {
-      if (k == rank || whole_name(section_.horizons[order_[k]]) == whole) return true;
+      if (k == rank || whole(k) == whole(rank)) return true;
     }
     return false;
   }
 
-  /// What lies beyond most of the roof of a face, its edges that have it below, if that is a fault.
-  [[nodiscard]] std::optional<FaceId> over_fault(FaceId f) const {
+  /// The edges of a face that have it below, or above.
+  struct Side {
+    double all = 0.0;                 ///< Their width.
+    double faults = 0.0;              ///< That of faults.
+    std::map<FaceId, double> widths;  ///< Of faults, by what lies beyond them.
+  };
+  [[nodiscard]] Side side_of(FaceId f, bool roof_not_floor) const {
     const Subdivision& sub = arrangement_.subdivision();
-    std::map<FaceId, double> widths;
-    double all = 0.0;
-    double under_faults = 0.0;
+    Side side;
     for (const HalfEdgeId h : sub.half_edges(sub.outer_loop(f))) {
-      const double width = sub.point(sub.origin(h)).x - sub.point(sub.target(h)).x;
+      const double leftwards = sub.point(sub.origin(h)).x - sub.point(sub.target(h)).x;
+      const double width = roof_not_floor ? leftwards : -leftwards;
       const FaceId beyond = sub.face(Structure::twin(h));
       if (width <= 0.0 || beyond == f) continue;
-      all += width;
+      side.all += width;
       const std::vector<std::uint32_t>& lines = arrangement_.lines_on(Structure::edge(h));
       const bool fault = std::any_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
         return line >= faults_.first && line < faults_.second;
       });
       if (!fault) continue;
-      under_faults += width;
-      widths[beyond] += width;
+      side.faults += width;
+      side.widths[beyond] += width;
     }
-    if (under_faults < 0.9 * all) return std::nullopt;  // open above
-    const auto most = std::max_element(widths.begin(), widths.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most != widths.end() && most->second > 0.5 * all ? std::optional(most->first) : std::nullopt;
+    return side;
+  }
+
+  /// The top of what lies beyond more than half of a roof; of the pieces of a horizon the widest.
+  [[nodiscard]] std::optional<std::size_t> over_faults(const Side& roof,
+                                                       const std::map<FaceId, std::size_t>& tops) const {
+    std::map<std::string, std::map<std::size_t, double>> widths;
+    for (const auto& [beyond, width] : roof.widths) {
+      if (const auto top = tops.find(beyond); top != tops.end()) widths[whole(top->second)][top->second] += width;
+    }
+    for (const auto& [name, pieces] : widths) {
+      double sum = 0.0;
+      for (const auto& [rank, width] : pieces) sum += width;
+      if (sum <= 0.5 * roof.all) continue;
+      return std::max_element(pieces.begin(), pieces.end(),
+                              [](const auto& a, const auto& b) { return a.second < b.second; })
+          ->first;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Bounds bounds_of(FaceId f) const {
@@ -251,13 +310,21 @@ class Units {
     return found == bounds_.end() ? Bounds{} : found->second;
   }
 
-  [[nodiscard]] RockUnit unit_of(std::ptrdiff_t top, const std::vector<FaceId>& faces) const {
+  [[nodiscard]] RockUnit unit_of(std::ptrdiff_t top, const std::vector<FaceId>& faces, const Neighbours& below) const {
     RockUnit unit;
     std::size_t base = none;
     for (const FaceId f : faces) {
       const Bounds bounds = bounds_of(f);
       if (!bounds.under.empty()) base = std::min(base, bounds.under.begin()->first);
       unit.area += arrangement_.area(f);
+    }
+    const auto on_faults = [&](FaceId f) {
+      const Side floor = side_of(f, false);
+      return floor.faults >= 0.9 * floor.all;
+    };
+    if (top >= 0 && base == none && std::all_of(faces.begin(), faces.end(), on_faults)) {
+      const auto other = below.find(whole(static_cast<std::size_t>(top)));
+      if (other != below.end()) base = other->second.value_or(none);
     }
     unit.faces = faces.size();
     if (top >= 0) unit.top = order_[static_cast<std::size_t>(top)];
@@ -498,10 +565,11 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
   std::vector<std::string> remarks;
   for (const HorizonMeeting& pair : faces.meetings) {
     const LineMeeting& meeting = pair.meeting;
-    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} places, the first at {}",
-                                  find_horizon(section, pair.first)->name, find_horizon(section, pair.second)->name,
-                                  meeting.crossings > 0 ? "cross" : "meet",
-                                  meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place));
+    const std::size_t places = meeting.crossings > 0 ? meeting.crossings : meeting.touches;
+    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} {}", find_horizon(section, pair.first)->name,
+                                  find_horizon(section, pair.second)->name, meeting.crossings > 0 ? "cross" : "meet",
+                                  places == 1 ? "one place," : fmt::format("{} places, the first at", places),
+                                  meeting.place));
   }
   for (const OpenPlace& open : faces.open) {
     remarks.push_back(

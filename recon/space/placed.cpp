@@ -70,7 +70,10 @@ Result<PlacedSection> read_one(const input::PlacedSectionInput& placed, const in
   std::string name = placed.name.empty() ? path.stem().string() : placed.name;
   for (const std::string& remark : one.read.remarks) {
     const std::string item = fmt::format("section '{}'", name);
-    findings.push_back({"section_remark", fmt::format("{}: {}", item, remark), {.file = path.string(), .item = item}});
+    base::Place place{.file = path.string(), .item = item};
+    if (const auto at = one.read.places.find(remark); at != one.read.places.end())
+      place.x = at->second.x, place.y = at->second.y;
+    findings.push_back({"section_remark", fmt::format("{}: {}", item, remark), std::move(place)});
   }
   return PlacedSection{std::move(name), std::move(one.read.section), std::move(plan)};
 }

@@ -424,7 +424,7 @@ Result<void> check(const RepairOptions& options) {
         std::pair{options.edges, "edges"}, std::pair{options.slivers, "slivers"}}) {
     if (!value || (std::isfinite(*value) && *value > 0.0)) continue;
     return Error{ErrorCode::InvalidOption,
-                 fmt::format("the tolerance of the repair '{}' is {}; give a length above 0 m", name, *value)};
+                 fmt::format("the tolerance of the repair '{}' is {}; give 0 m (none) or more", name, *value)};
   }
   return {};
 }

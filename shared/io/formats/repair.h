@@ -31,6 +31,8 @@ struct RepairOptions {
   std::optional<double> snap = std::nullopt;  ///< Ends of lines nearer than this to a fault are moved onto it.
   /// Of which lines the ends are moved onto which; without it those of all but faults onto faults.
   std::function<bool(const lines::Feature& line, const lines::Feature& onto)> may_snap = {};
+  /// Of several lines near an end the one that its line crosses first before it; else the nearest one.
+  bool first_crossing = false;
   double on_line = 0.0;  ///< What is no farther than this from such a line lies on it, and stays as it is.
   /// Vertices of polygons nearer than this to a line or to an earlier polygon are moved onto it, and both get the
   /// vertex.

@@ -172,6 +172,7 @@ class Snapping {
     for (const auto& [part, foot] : nearest) feet.push_back(foot);
     std::stable_sort(feet.begin(), feet.end(), before);
     if (feet.empty() || feet.front().distance <= options_.on_line) return std::nullopt;
+    if (options_.first_crossing) sort_by_crossing(tail, feet);
     for (const Foot& foot : feet) {
       auto move = cut_back(tail, foot);
       if (!move) move = moved_to(own, tail, foot);
@@ -192,6 +193,32 @@ class Snapping {
   }
   static bool before(const Foot& a, const Foot& b) {
     return std::tuple(a.distance, a.at.x, a.at.y) < std::tuple(b.distance, b.at.x, b.at.y);
+  }
+
+  /// Lines that are crossed before the end come first, the one that is crossed first before all.
+  void sort_by_crossing(const Tail& tail, std::vector<Foot>& feet) const {
+    std::map<PartId, double> ways;
+    for (const Foot& foot : feet) ways[foot.side.part] = way_to_crossing(tail, foot.side.part);
+    std::stable_sort(feet.begin(), feet.end(),
+                     [&](const Foot& a, const Foot& b) { return ways[a.side.part] > ways[b.side.part]; });
+  }
+  /// How far before the end the tail crosses the line from which it is within reach all the way on; -1: nowhere.
+  [[nodiscard]] double way_to_crossing(const Tail& tail, PartId onto) const {
+    double farthest = -1.0, way = 0.0;
+    for (std::size_t i = 0; i + 1 < tail.size() && from_line(onto, tail[i]) < reach_; ++i) {
+      const Segment own = tail.side(i);
+      near(own.box(), [&](const Side& side) {
+        if (side.part != onto) return;
+        const geom::Intersection met = geom::intersect(own, segment(side));
+        if (met.kind == geom::IntersectionKind::None) return;
+        const Point at = met.start.point;
+        const bool is_begin = i + 2 == tail.size() && at == own.from;  // where the line begins on the other one
+        if (is_begin || !(from_line(onto, geom::midpoint(at, own.to)) < reach_)) return;
+        farthest = std::max(farthest, way + geom::distance(at, own.to));
+      });
+      way += own.length();
+    }
+    return farthest;
   }
 
   /// What overshoots the line is cut off at the first crossing, so that the end is moved back, not folded over.

@@ -16,8 +16,9 @@ struct SnappedEnd {
 };
 
 /// Moves ends nearer than `options.snap` to a line that they may be moved onto, each by less than that; what overshoots
-/// it by less is cut off. An end stays where it is if its line would turn back, or would cross itself or another line
-/// that it did not cross. The order of the features does not matter.
+/// it by less is cut off. The nearest line comes first; with `options.first_crossing` one that the line crosses before
+/// its end, of several the first. An end stays where it is if its line would turn back, or would cross itself or
+/// another line that it did not cross. The order of the features does not matter.
 /// @pre  options.snap > 0; no heights.
 /// @cost O(n log n) for n sides.
 std::vector<SnappedEnd> snap_ends(std::vector<lines::Feature>& features, const RepairOptions& options);

@@ -253,7 +253,10 @@ TEST(RoundedEnds, HowManyHowFarAndWhereIsTold) {
   // "a (2)" is 0.01 / 3 off along x, "b (1)" is 0.02 / 3: times 3 / sqrt 10 across the fault.
   EXPECT_THAT(told()[0], HasSubstr("2 ends of lines lay beside the lines that they end on"));
   EXPECT_THAT(told()[0], HasSubstr("to 0.01 m"));
-  EXPECT_THAT(told()[0], HasSubstr("moved up to 0.00632 m, the farthest at (533.336, -100.008)"));
+  EXPECT_THAT(told()[0], HasSubstr("moved up to 0.00632 m, the farthest at (533.336, -100.008), horizon 'b (1)'"));
+  const input::ReadSection made = read(input);
+  EXPECT_EQ(made.places.at(told()[0]).item, "horizon 'b (1)'");
+  EXPECT_NEAR(made.places.at(told()[0]).x.value_or(0.0), 533.336, 1e-3);
   for (const double said : {0.0, 0.005}) {
     input.snap_to_faults = said;
     EXPECT_TRUE(told().empty());
@@ -287,15 +290,16 @@ TEST(RoundedEnds, WhatIsFartherThanTheRoundingStaysOpenAndIsTold) {
     input::LineUnit unit;
     bool joined;
   };
-  for (const Case& c : {Case{450.0, 100.01, {}, false},        // 50 m before it
-                        Case{499.97, 100.001, {}, false},      // 3 cm, of coordinates in millimetres
-                        Case{499.98, 100.01, {}, false},       // 2 cm, of centimetres: more than sqrt 2 of them
-                        Case{499.99, 100.01, {}, true},        // 1 cm, of centimetres
-                        Case{499.99, 100.001, {}, false},      // 1 cm, of millimetres
-                        Case{499.999, 100.001, {}, true},      // 1 mm, of millimetres
-                        Case{499.0, 100.0, {}, false},         // 1 m, of metres: more than 1e-4 of the section
-                        Case{499.99, 100.0 / 3.0, {}, false},  // computed
-                        Case{499.99, 100.01, input::LineUnit::Foot, false}}) {
+  for (const Case& c :
+       {Case{450.0, 100.01, {}, false},        // 50 m before it
+        Case{499.97, 100.001, {}, false},      // 3 cm, of coordinates in millimetres
+        Case{499.98, 100.01, {}, false},       // 2 cm, of centimetres: more than sqrt 2 of them
+        Case{499.99, 100.01, {}, true},        // 1 cm, of centimetres
+        Case{499.99, 100.001, {}, false},      // 1 cm, of millimetres
+        Case{499.999, 100.001, {}, true},      // 1 mm, of millimetres
+        Case{499.0, 100.0, {}, false},         // 1 m, of metres: more than 1e-4 of the section
+        Case{499.99, 100.0 / 3.0, {}, false},  // computed
+        Case{499.99, 100.01, input::LineUnit::Foot, true}, Case{499.97, 100.01, input::LineUnit::Foot, false}}) {
     SCOPED_TRACE(c.end);
     SectionInput input = gap(c.end, c.other);
     if (c.unit == input::LineUnit::Foot) input.unit = section::LengthUnit::Foot;
@@ -308,7 +312,7 @@ TEST(RoundedEnds, WhatIsFartherThanTheRoundingStaysOpenAndIsTold) {
     const Block made = test::block(made_of.section, along);
     EXPECT_EQ(test::told(made.findings, "open_end"), !c.joined && c.end > 480.0);
     if (c.joined) {
-      EXPECT_NEAR(volume(made, "middle - base"), along * (500 * 50 + 500 * 50 - 250), along * 10);
+      EXPECT_NEAR(volume(made, "middle - base"), metres * metres * along * (500 * 50 + 500 * 50 - 250), along * 10);
     }
   }
 }
@@ -384,6 +388,207 @@ TEST(RoundedEnds, ABranchMovesThoughBedsEndOnIt) {
     EXPECT_TRUE(is_vertex(0, made.section.horizons[1].line.points.front()));
     EXPECT_TRUE(is_vertex(1, made.section.horizons[1].line.points.back()));
     EXPECT_TRUE(is_vertex(1, made.section.horizons[2].line.points.front()));
+  }
+}
+
+input::HorizonInput line(const char* name, std::vector<Point> points, const char* whole = "") {
+  input::HorizonInput made;
+  made.name = name, made.points = std::move(points), made.piece_of = whole;
+  return made;
+}
+
+/// Where a branch leaves its main fault, in doubles, which are beside both: a bed that ends there ends on both.
+TEST(RoundedEnds, ABedThatEndsWhereAFaultBranchesOffHasBothItsSides) {
+  const Fault main({{1000, 50}, {1037.333, -777.777}});
+  for (int i = 0; i < 40; ++i) {
+    const double z = -250.0 - 1.31 * i;
+    SCOPED_TRACE(z);
+    const Point place{main.x(z), z};
+    const Fault branch({{1400, 50}, place});
+    SectionInput input;
+    const auto bed = [&](const char* name, double from, double to, double height, const char* whole) {
+      input.horizons.push_back(line(name, {{from, height}, {to, height}}, whole));
+    };
+    bed("top (1)", 0, main.x(0), 0, "top");
+    bed("top (2)", main.x(-30), branch.x(-30), -30, "top");
+    bed("top (3)", branch.x(-10), 2000, -10, "top");
+    bed("bed (1)", 0, main.x(-150), -150, "bed");
+    bed("bed (2)", place.x, 2000, z, "bed");
+    bed("base (1)", 0, main.x(-500), -500, "base");
+    bed("base (2)", main.x(-560), 2000, -560, "base");
+    input.faults = {line("main", main.corners()), line("branch", branch.corners())};
+    const double upper =
+        main.area(-150, 0) + (branch.area(z, -30) - main.area(z, -30)) + (2000.0 * (-10 - z) - branch.area(z, -10));
+    const double lower = main.area(-500, -150) + (2000.0 * (z + 560) - main.area(-560, z));
+    for (const bool turned : {false, true}) {
+      if (turned) std::reverse(input.faults.begin(), input.faults.end());
+      for (const std::optional<double> snap : {std::optional<double>(), std::optional(0.0)}) {
+        input.snap_to_faults = snap;
+        const section::Section section = read(input).section;
+        const geom::Point end = section.lines[turned ? 0 : 1].line.points.back();
+        const std::vector<Point>& of_main = section.lines[turned ? 1 : 0].line.points;
+        EXPECT_EQ(std::count(of_main.begin(), of_main.end(), end), 1);
+        EXPECT_EQ(section.horizons[4].line.points.front(), end);
+        const Block made = test::block(section, along);
+        EXPECT_TRUE(made.findings.empty());
+        ASSERT_EQ(made.units.size(), 2U) << made.units[0].name << ", " << made.units[1].name << ", "
+                                         << made.units[2].name;
+        EXPECT_NEAR(volume(made, "top - bed"), along * upper, 1e-3);
+        EXPECT_NEAR(volume(made, "bed - base"), along * lower, 1e-3);
+      }
+    }
+  }
+}
+
+/// The bed ends 5.5 mm beyond F and 4.5 mm before G, 1 cm beyond F.
+TEST(RoundedEnds, AnEndBetweenTwoFaultsIsCutBackToTheOneThatItCrosses) {
+  for (const bool turned : {false, true}) {
+    SectionInput input = gap(500.01, 100.01);
+    input.faults = {line("F", {{500.00, 0}, {500.01, -111.11}}), line("G", {{500.01, -5}, {500.02, -105}})};
+    const Fault f(input.faults[0].points), g(input.faults[1].points);
+    ASSERT_NEAR(500.01 - f.x(-50), 0.0055, 1e-5);
+    ASSERT_NEAR(g.x(-50) - 500.01, 0.0045, 1e-5);
+    if (turned) std::reverse(input.faults.begin(), input.faults.end());
+    const section::Section section = read(input).section;
+    const Point end = section.horizons[2].line.points.back();
+    EXPECT_NEAR(end.x, f.x(-50), 1e-4);
+    EXPECT_EQ(std::count(section.lines[turned].line.points.begin(), section.lines[turned].line.points.end(), end), 1);
+  }
+}
+
+/// Beyond what rounding does: both walls keep their volumes, and the finding says what to do.
+TEST(RoundedEnds, AnEndFarBeyondItsFaultMixesNoWallsAndIsTold) {
+  for (const double past : {0.03, 2.0}) {
+    SCOPED_TRACE(past);
+    SectionInput input = gap(500.0 + past, 100.01);
+    const input::ReadSection made_of = read(input);
+    const Block made = test::block(made_of.section, along);
+    ASSERT_EQ(made.units.size(), 2U);
+    // The bed sags by 1 m at x = 100.01, which takes a triangle from the one unit and gives it to the other.
+    const double sag = 0.5 * 1.0 * (500.0 + past) - 0.5 * past * past / (500.0 + past - 100.01);
+    EXPECT_NEAR(volume(made, "top - middle"), along * (500 * 50 + 500 * 50 + sag), along * 1e-6);
+    EXPECT_NEAR(volume(made, "middle - base"), along * (500 * 50 + 500 * 50 - sag), along * 1e-6);
+    ASSERT_TRUE(test::told(made.findings, "overshoot"));
+    EXPECT_FALSE(test::told(made.findings, "open_end"));
+    const std::string words = past == 0.03 ? "horizon 'middle (1)' goes on 0.03 m beyond fault 'F'"
+                                           : "horizon 'middle (1)' goes on 2 m beyond fault 'F'";
+    EXPECT_THAT(made.findings[0].message, HasSubstr(words));
+    EXPECT_EQ(made.findings[0].place.x, 500.0 + past);
+    EXPECT_THAT(made_of.remarks, testing::Contains(HasSubstr(words)));
+    EXPECT_THAT(made_of.remarks, testing::Not(testing::Contains(HasSubstr("run together"))));
+    const std::size_t at = made.findings[0].message.find("snap_to_faults of ");
+    ASSERT_NE(at, std::string::npos);
+    input.snap_to_faults = std::stod(made.findings[0].message.substr(at + 18));
+    EXPECT_LT(*input.snap_to_faults, 1.11 * past);
+    const input::ReadSection cut = read(input);
+    EXPECT_EQ(cut.section.horizons[2].line.points.back().x, 500.0);
+    EXPECT_TRUE(test::block(cut.section, along).findings.empty());
+  }
+}
+
+/// Half a metre beside the fault, in whole metres: farther than the section's width of a pencil line.
+TEST(RoundedEnds, WhatTheSizeOfTheSectionLeavesApartIsToldWithTheSnapThatJoinsIt) {
+  SectionInput input = gap(499.0, 100.0);
+  input.horizons[4].points.back().x = 501.0;
+  input.faults = {line("F", {{500, 30}, {501, -200}})};
+  const input::ReadSection made = read(input);
+  std::string told;
+  for (const std::string& remark : made.remarks) {
+    if (remark.find("ten-thousandth") != std::string::npos) told = remark;
+  }
+  // The fault is at x = 500 + (30 - z) / 230, and leans by 1 in 230.
+  const double across = std::hypot(1.0, 1.0 / 230.0);
+  const double at_middle = (1.0 + 80.0 / 230.0) / across;
+  EXPECT_THAT(told, HasSubstr("6 ends of horizons"));
+  ASSERT_TRUE(made.places.contains(told));
+  EXPECT_NEAR(*made.places.at(told).y, -50.0, 0.1);
+  EXPECT_EQ(made.places.at(told).item, "horizon 'middle'");
+  const std::size_t at = told.find("snap_to_faults of ");
+  ASSERT_NE(at, std::string::npos) << told;
+  const double snap = std::stod(told.substr(at + 18));
+  EXPECT_GT(snap, at_middle);
+  EXPECT_LT(snap, at_middle + 0.11);
+  input.snap_to_faults = snap;
+  const input::ReadSection joined = read(input);
+  const Fault fault({{500, 30}, {501, -200}});
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::vector<Point>& points = joined.section.horizons[i].line.points;
+    const Point end = i % 2 == 0 ? points.back() : points.front();
+    EXPECT_NEAR(end.x, fault.x(end.y), 1e-9) << i;
+  }
+}
+
+TEST(RoundedEnds, SectionsInFeetAndWithAnOddPointHaveTheirVolumesToo) {
+  for (const Shape& shape : shapes()) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      for (const bool feet : {true, false}) {
+        SCOPED_TRACE(std::string(shape.name) + (feet ? ", feet, seed " : ", odd, seed ") + std::to_string(seed));
+        std::mt19937 random(seed);
+        const Exact exact = shape.make(random);
+        SectionInput input = written(exact, 0.01);
+        const double metres = feet ? 0.3048 : 1.0;
+        if (feet) input.unit = section::LengthUnit::Foot;
+        // As many points as one odd one needs.
+        std::vector<Point>& top = input.horizons[0].points;
+        const Point from = top[0], to = top[1];
+        for (int i = 1; i < 60; ++i) {
+          const Point p = geom::interpolate(from, to, i / 60.0);
+          top.insert(top.begin() + i, {std::round(100 * p.x) / 100.0, std::round(100 * p.y) / 100.0});
+        }
+        if (!feet) top[30].x += 1.0 / 3000.0;
+        const input::ReadSection made_of = read(input);
+        const Block made = test::block(made_of.section, along);
+        EXPECT_FALSE(test::told(made.findings, "open_end"));
+        for (std::size_t i = 0; i < 2; ++i) {
+          EXPECT_NEAR(volume(made, i == 0 ? "top - middle" : "middle - base"), metres * metres * along * exact.area(i),
+                      rounding(exact, 0.01));
+        }
+        const auto is_odd = [](const std::string& remark) {
+          return remark.find("no multiple of") != std::string::npos;
+        };
+        EXPECT_EQ(std::any_of(made_of.remarks.begin(), made_of.remarks.end(), is_odd),
+                  !feet && made_of.remarks.size() > 1)
+            << testing::PrintToString(made_of.remarks);
+      }
+    }
+  }
+}
+
+/// Two faults cross between beds that they do not displace: what lies under both of them has the bed above for its top.
+TEST(RoundedEnds, WhatLiesUnderTwoCrossingFaultsIsNamedByItsBeds) {
+  for (const double lean : {0.0, 3.0, 40.0}) {
+    SectionInput input;
+    input.horizons = {line("top", {{0, 0}, {1000, 0}}), line("middle", {{0, -50}, {1000, -50}}),
+                      line("base", {{0, -100}, {1000, -100}})};
+    input.faults = {line("F", {{400, 40}, {600 + lean, -160}}), line("G", {{600, 40}, {400, -160}})};
+    const Block made = test::block(read(input).section, along);
+    EXPECT_EQ(made.units.size(), 2U) << lean;
+    EXPECT_NEAR(volume(made, "top - middle"), along * 50000, 1e-3);
+    EXPECT_NEAR(volume(made, "middle - base"), along * 50000, 1e-3);
+  }
+  // The right-hand block of F is down, and G cuts both its blocks without displacing them: under F and G, on the base,
+  // nothing of the bed above is left.
+  for (const double drop : {0.5, 30.0, 60.0, 100.0, 120.0}) {
+    SCOPED_TRACE(drop);
+    const Fault f({{300, 50}, {680, -330}}), g({{700, 50}, {320, -330}});
+    const double heights[] = {0.0, -70.0, -200.0};
+    const auto x = [&](double z) { return f.x(z); };
+    SectionInput input;
+    const char* const names[] = {"top", "middle", "base"};
+    for (int i = 0; i < 3; ++i) {
+      const double z = heights[i];
+      input.horizons.push_back(line((std::string(names[i]) + " (1)").c_str(), {{0, z}, {x(z), z}}, names[i]));
+      input.horizons.push_back(
+          line((std::string(names[i]) + " (2)").c_str(), {{x(z - drop), z - drop}, {1000, z - drop}}, names[i]));
+    }
+    input.faults = {line("F", f.corners()), line("G", g.corners())};
+    const Block made = test::block(read(input).section, along);
+    EXPECT_EQ(made.units.size(), 2U);
+    for (int i = 0; i < 2; ++i) {
+      const double high = heights[i], low = heights[i + 1];
+      const double area = f.area(low, high) + 1000.0 * (high - low) - f.area(low - drop, high - drop);
+      EXPECT_NEAR(volume(made, i == 0 ? "top - middle" : "middle - base"), along * area, 1e-3);
+    }
   }
 }
 

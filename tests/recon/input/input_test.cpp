@@ -148,7 +148,7 @@ TEST_F(Input, HorizonsThatCrossEachOtherAreRemarked) {
   const auto result = read(input);
   ASSERT_TRUE(result);
   ASSERT_EQ(result->remarks.size(), 1u);
-  EXPECT_EQ(result->remarks[0], "horizons 'a' and 'b' cross at 1 places, the first at (2, 2)");
+  EXPECT_EQ(result->remarks[0], "horizons 'a' and 'b' cross at one place, (2, 2)");
 }
 
 TEST_F(Input, ALineThatCrossesItselfIsRefusedWithNameAndPlaceOrItsSmallLoopsAreCut) {

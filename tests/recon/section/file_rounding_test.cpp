@@ -1,5 +1,6 @@
 #include "recon/section/file_rounding.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,6 +53,60 @@ TEST(FileRounding, AllCoordinatesTogetherHaveIt) {
       EXPECT_NEAR(*last_decimal(section) * scale, 1000.0, 1e-9) << decimals;
     }
   }
+}
+
+std::vector<geom::Point> places_on(double step, unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> any(-5000000, 5000000);
+  std::vector<geom::Point> places;
+  for (int i = 0; i < count; ++i) places.push_back({any(random) * step, any(random) * step});
+  return places;
+}
+
+TEST(FileRounding, TheGridMayBeInFeet) {
+  for (const bool is_said : {true, false}) {  // files of lines have units of their own
+    for (const double step : {1.0, 0.1, 0.01}) {
+      Section section = of(places_on(1.0, 5, 300));
+      if (is_said) section.convention.unit = LengthUnit::Foot;
+      for (geom::Point& p : section.horizons[0].line.points)
+        p = {0.3048 * (std::round(p.x) / std::round(1.0 / step)), 0.3048 * (std::round(p.y) / std::round(1.0 / step))};
+      section.lines.clear();
+      EXPECT_NEAR(last_decimal(section).value_or(0.0), 0.3048 * step, 1e-12) << step;
+      EXPECT_EQ(grid_of_files(section)->odd, 0U);
+    }
+  }
+  // Depths in feet under a reference, exaggerated twice: cells are half as high.
+  Section section;
+  section.convention = {VerticalAxis::Down, 812.3, LengthUnit::Foot, 2.0};
+  Horizon horizon;
+  std::mt19937 random(2);
+  std::uniform_int_distribution<int> any(-90000, 90000);
+  for (int i = 0; i < 200; ++i)
+    horizon.line.points.push_back(to_section({any(random) / 10.0, any(random) / 10.0}, section.convention));
+  section.horizons = {horizon};
+  EXPECT_NEAR(grid_of_files(section)->cell, 0.3048 * std::hypot(0.1, 0.05), 1e-12);
+}
+
+TEST(FileRounding, OnePointInFiftyMayLieOffTheGrid) {
+  std::vector<geom::Point> places = places_on(0.01, 6, 100);
+  for (geom::Point& p : places) p = {std::round(100.0 * p.x) / 100.0, std::round(100.0 * p.y) / 100.0};
+  ASSERT_EQ(last_decimal(of(places)), 0.01);
+  places[31].y += 0.1234567;
+  places[77].x += 1.0 / 3.0;
+  const auto grid = grid_of_files(of(places));
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->step, 0.01);
+  EXPECT_EQ(grid->odd, 2U);
+  EXPECT_EQ(grid->odd_place, places[31]);
+  EXPECT_THAT(grid->odd_line, testing::StartsWith("horizon '"));
+  EXPECT_EQ(grid->points, of(places).horizons[0].line.points.size() + of(places).lines[0].line.points.size());
+  places[2].x += 1.0 / 3.0;
+  places[3].x += 1.0 / 3.0;
+  EXPECT_EQ(last_decimal(of(places)), std::nullopt);
+  // A line of its own is no odd point: 400 points in metres say nothing of a fault in centimetres.
+  std::vector<geom::Point> metres = places_on(1.0, 7, 400);
+  EXPECT_EQ(last_decimal(of(metres, {{0.25, 0.5}, {1.75, 2.25}, {3.25, 4.5}})), 0.01);
+  EXPECT_EQ(last_decimal(of(metres, {{0.25, 0.5}, {1, 2}, {3, 4}})), 1.0);
 }
 
 TEST(FileRounding, ItIsTheDiagonalOfACellAndNeverMoreThanATenThousandthOfTheSection) {

@@ -182,7 +182,7 @@ TEST_F(ConvertCommand, WrongUsageAndBadInputAreToldInOneLine) {
   refuses({file, path("a.csv"), "--scale", "1:100"}, 2, {"--scale is for"});
   refuses({file, path("a.svg"), "--scale", "100"}, 2, {"give a scale such as 1:10000"});
   refuses({file, path("a.csv"), "--only", "dots"}, 2, {"--only"});
-  refuses({file, path("a.csv"), "--snap", "-1"}, 2, {"give a length above 0 m"});
+  refuses({file, path("a.csv"), "--snap", "-1"}, 2, {"give 0 m (none) or more"});
   refuses({path("none.csv"), path("a.csv")}, 3, {"there is no such file"});
   refuses({put("three.txt", "0 1 2\n3 4 5\n"), path("a.csv")}, 3, {"--columns 1,2"});
   refuses({put("bad.csv", "0,1\n2,x\n"), path("a.csv")}, 3, {"bad.csv:2:3"});

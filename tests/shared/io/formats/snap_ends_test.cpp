@@ -15,6 +15,7 @@ namespace dobra::io::formats::snap_ends_test {
 namespace {
 
 using geom::Point;
+using geom::Segment;
 using testing::ElementsAre;
 
 lines::Feature line(std::string name, std::string kind, std::vector<Point> points) {
@@ -127,6 +128,37 @@ TEST(SnapEnds, LinesThatAreToldSoMayEndOnOthers) {
   options.on_line = 0.25;
   EXPECT_TRUE(snap_ends(features, options).empty());
   EXPECT_EQ(features, before);
+}
+
+TEST(SnapEnds, OfTwoLinesTheOneThatIsCrossedFirstWins) {
+  RepairOptions options;
+  options.snap = 0.5;
+  for (const bool first : {true, false}) {
+    // 0.3 beyond F, 0.2 before G: nearer to G.
+    std::vector<lines::Feature> features{line("a", "horizon", {{0, 0}, {5.3, 0}}),
+                                         line("F", "fault", {{5, -10}, {5, 10}}),
+                                         line("G", "fault", {{5.5, -10}, {5.5, 10}})};
+    options.first_crossing = first;
+    EXPECT_EQ(snap_ends(features, options).size(), 1U);
+    EXPECT_EQ(points(features, "a").back(), (Point{first ? 5.0 : 5.5, 0})) << first;
+    // Beyond both, and the second one nearer still.
+    features = {line("a", "horizon", {{0, 0}, {5.3, 0}}), line("F", "fault", {{5, -10}, {5, 10}}),
+                line("G", "fault", {{5.2, -10}, {5.2, 10}})};
+    EXPECT_EQ(snap_ends(features, options).size(), 1U);
+    EXPECT_EQ(points(features, "a").back(), (Point{first ? 5.0 : 5.2, 0})) << first;
+    // F is crossed at so small an angle that the crossing is far, and lies 0.3 off; G only 0.2.
+    features = {line("a", "horizon", {{0, 1}, {50, 0.02}, {65, -0.3}}), line("F", "fault", {{-10, 0}, {100, 0}}),
+                line("G", "fault", {{65, -0.5}, {60, -10}})};
+    EXPECT_EQ(snap_ends(features, options).size(), 1U);
+    EXPECT_LT(geom::distance(points(features, "a").back(), first ? Point{65, 0} : Point{65, -0.5}), 1e-12) << first;
+    // F is crossed too, but far from the end, which only comes back near it.
+    features = {line("a", "horizon", {{-5, 5}, {0, -5}, {10, -5}, {20, -0.3}}),
+                line("F", "fault", {{-10, 0}, {100, 0}}), line("G", "fault", {{19.5, -10}, {21, -0.2}, {30, -0.2}})};
+    const double from_g = geom::distance(Segment{{19.5, -10}, {21, -0.2}}, {20, -0.3});
+    ASSERT_GT(from_g, 0.5);
+    EXPECT_EQ(snap_ends(features, options).size(), 1U);
+    EXPECT_LT(geom::distance(points(features, "a").back(), Point{20, 0}), 1e-12) << first;
+  }
 }
 
 bool meet(const std::vector<Point>& a, const std::vector<Point>& b) {
