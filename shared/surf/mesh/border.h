@@ -41,8 +41,8 @@ struct Border {
   /// One a vertex, once the network is made for those of point_of: its place where that is known to the last digit, as
   /// where a line of one u crosses one of one v.
   std::vector<std::optional<geom::Point>> exact;
-  std::vector<std::size_t> point_of;     ///< One a vertex: the first vertex that is the same point of the chart.
-  std::vector<std::size_t> node_of;      ///< The first vertex that is the same node; loops before lines.
+  std::vector<std::size_t> point_of;  ///< One a vertex: the first vertex that is the same point of the chart.
+  std::vector<std::size_t> node_of;   ///< The first vertex that is the same node; loops before lines.
   std::vector<std::vector<std::optional<std::size_t>>> on_edges;  ///< A face, a point asked for: its vertex, if it lies
                                                                   ///< on an edge.
   std::vector<Finding> findings;

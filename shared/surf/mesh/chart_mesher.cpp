@@ -69,7 +69,8 @@ bool is_on_kink(const Surface& surface, geom::Point uv) {
     const auto above = std::lower_bound(lines.begin() + 1, lines.end() - 1, at - near);
     return above != lines.end() - 1 && *above <= at + near;
   };
-  return on(surface.kinks().u, uv.x, rounding * chart.width()) || on(surface.kinks().v, uv.y, rounding * chart.height());
+  return on(surface.kinks().u, uv.x, rounding * chart.width()) ||
+         on(surface.kinks().v, uv.y, rounding * chart.height());
 }
 
 /// Errors of the plane's triangulation say places of the scaled chart.
@@ -317,7 +318,9 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
     }
     const bool large = best->chart.triangles.size() > options.large;
     if (fewest.grave() == 0 && (fewest.flat == 0 || large)) break;
-    if (fewest.grave() > options.hopeless || alike >= options.alike) break;
+    const bool sideways = std::isfinite(size_by_chart(input.surface.jet(faults.first), own.sizes));
+    if ((fewest.grave() > options.hopeless && !sideways) || alike >= options.alike) break;
+    own.sizes.sideways *= options.less_sideways;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }

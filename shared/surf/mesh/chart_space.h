@@ -146,7 +146,7 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   Kernel* kernel_ = nullptr;
   std::vector<Node> nodes_;
   std::vector<std::uint8_t> on_kink_;  ///< Up to the last of those; none where the surface has no kink.
-  bool whole_ = true;  ///< Not a part.
+  bool whole_ = true;                  ///< Not a part.
   bool coarse_ = false;
   mutable std::size_t by_chart_ = 0;  ///< Flips that the chart decided.
 };

@@ -73,7 +73,8 @@ TEST(CrossingKinks, TwoRampsAreMeshedWhereverTheyCross) {
     const Ramp x{a, 0.1}, y{b, 0.1};
     const std::string formula = x.of('x') + " + " + y.of('y');
     for (const double size : {1.0, 0.4})
-      expect_sound(meshed(formula, low, high, size), area_of({x}, {y}, high - low), fmt::format("{} {}", formula, size));
+      expect_sound(meshed(formula, low, high, size), area_of({x}, {y}, high - low),
+                   fmt::format("{} {}", formula, size));
   }
 }
 
