@@ -57,7 +57,8 @@ ExpectedTriangles expected_in_details(const TrimmedSurface& face, const SizeOpti
     const surf::Jet jet = surface.jet(uv);
     const double bend = surf::mesh::followed_bend(surface, uv, jet, unnoticed, sizes);
     const double size =
-        std::max(sizes.least, std::min({largest, surf::mesh::size_by_bend(bend, sizes), sizes.wanted_at(uv, jet.at)}));
+        std::max(sizes.least, std::min({largest, surf::mesh::size_by_bend(bend, sizes),
+                                        surf::mesh::size_by_chart(jet, sizes), sizes.wanted_at(uv, jet.at)}));
     const double area = geom::length(cross(jet.u, jet.v)) * part.width() * part.height();
     const double triangles = 4.0 / std::numbers::sqrt3 * area / (size * size);
     if (!std::isfinite(triangles)) continue;
@@ -86,8 +87,9 @@ ExpectedTriangles expected_triangles(const TrimmedSurface& face, const SizeOptio
       const Point uv{std::lerp(box.low.x, box.high.x, (i + scattered(i + 7 * j)) / lines), v};
       if (std::count_if(at.begin(), at.end(), [&](double u) { return u < uv.x; }) % 2 == 0) continue;
       const surf::Jet jet = face.surface.jet(uv);
-      const double size = std::max(
-          sizes.least, std::min({largest, surf::mesh::size_by_shape(jet, sizes), sizes.wanted_at(uv, jet.at)}));
+      const double size =
+          std::max(sizes.least, std::min({largest, surf::mesh::size_by_shape(jet, sizes),
+                                          surf::mesh::size_by_chart(jet, sizes), sizes.wanted_at(uv, jet.at)}));
       const double part = 4.0 / std::numbers::sqrt3 * geom::length(cross(jet.u, jet.v)) * du * dv / (size * size);
       if (!std::isfinite(part)) continue;
       parts.push_back(part);

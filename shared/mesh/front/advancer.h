@@ -297,7 +297,7 @@ template <class Space>
 bool Advancer<Space>::is_good(Kernel::Vertex a, Kernel::Vertex b, Kernel::Vertex c, double least) {
   const Vector u = at(b) - at(a);
   const Vector w = at(c) - at(a);
-  const auto frame = space_.frame(a);
+  const auto frame = space_.frame(a, b, c);
   const double twice = space_.cross(frame, u, w);
   const double uu = squared(u);
   const double ww = squared(w);

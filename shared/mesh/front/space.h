@@ -45,7 +45,8 @@ class Plane {
   [[nodiscard]] Point at(Vertex v) const { return kernel_->point(v); }
   [[nodiscard]] Place place(Vertex v) const { return {at(v)}; }
   [[nodiscard]] Frame frame(Vertex /*v*/) const { return {}; }
-  [[nodiscard]] Frame frame(Vertex /*a*/, Vertex /*b*/) const { return {}; }
+  [[nodiscard]] Frame frame(Vertex /*a*/, Vertex /*b*/) const { return {}; }  ///< To the left of the side from a to b.
+  [[nodiscard]] Frame frame(Vertex /*a*/, Vertex /*b*/, Vertex /*c*/) const { return {}; }
 
   /// Of two vectors in the tangent plane: positive when the second is anticlockwise of the first.
   static double cross(Frame /*frame*/, Vector a, Vector b) { return geom::cross(a, b); }

@@ -333,6 +333,7 @@ class Maker {
     const auto vertex = static_cast<std::uint32_t>(border_.vertex_edge.size());
     border_.vertex_edge.push_back(edge);
     border_.vertex_s.push_back(s);
+    border_.exact.emplace_back();
     border_.edges[edge].cuts.push_back({s, vertex});
     return vertex;
   }
@@ -427,7 +428,33 @@ class Maker {
       return own.line ? other != edge : !border_.edges[other].line && border_.edges[other].loop != own.loop;
     };
     const auto found = contact_at(own.space.place(s), own.face, counts);
-    if (found) same_point(cut(found->first, found->second), vertex);
+    if (found) meet(edge, vertex, found->first, cut(found->first, found->second));
+  }
+
+  /// The u, or the v, that all places of an edge have.
+  [[nodiscard]] std::array<std::optional<double>, 2> fixed(std::size_t edge) const {
+    const EdgeInSpace& space = border_.edges[edge].space;
+    const Point first = space.place(space.marks().front());
+    bool in_u = true, in_v = true;
+    for (const double s : space.marks()) {
+      const Point p = space.place(s);
+      in_u = in_u && p.x == first.x;
+      in_v = in_v && p.y == first.y;
+    }
+    return {in_u ? std::optional(first.x) : std::nullopt, in_v ? std::optional(first.y) : std::nullopt};
+  }
+  /// Vertices of two edges are one point: where a line of one u meets one of one v, it is (u, v) to the last digit.
+  void meet(std::size_t edge, std::uint32_t vertex, std::size_t other, std::uint32_t other_vertex) {
+    same_point(other_vertex, vertex);
+    const auto [a_u, a_v] = fixed(edge);
+    const auto [b_u, b_v] = fixed(other);
+    const std::optional<double> u = a_u ? a_u : b_u, v = a_v ? a_v : b_v;
+    if (!u || !v) return;
+    constexpr double rounding = 1e-12;  // of the chart
+    const double near = rounding * border_.edges[edge].space.surface().chart().diagonal();
+    for (const std::uint32_t at : {vertex, other_vertex}) {
+      if (geom::distance(border_.place(at), {*u, *v}) <= near) border_.exact[at] = {*u, *v};
+    }
   }
 
   /// Crossings of a line with everything after it, and with the loops.
@@ -443,7 +470,7 @@ class Maker {
         if (border_.edges[chord.edge].line && chord.edge < edge) continue;
         const auto at =
             crossing(a, a.marks()[i], a.marks()[i + 1], border_.edges[chord.edge].space, chord.s0, chord.s1);
-        if (at) same_point(cut(edge, at->first), cut(chord.edge, at->second));
+        if (at) meet(edge, cut(edge, at->first), chord.edge, cut(chord.edge, at->second));
       }
     }
   }
@@ -527,6 +554,10 @@ class Maker {
     }
     border_.point_of = chosen(points);
     border_.node_of = chosen(nodes);
+    for (std::size_t v = 0; v < count; ++v) {
+      std::optional<Point>& own = border_.exact[border_.point_of[v]];
+      if (!own) own = border_.exact[v];
+    }
   }
 
   /// Places of one face that are the same but for rounding, where loops touch each other or themselves.

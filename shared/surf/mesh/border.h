@@ -38,8 +38,11 @@ struct Border {
   std::vector<SharedGroup> groups;       ///< Of two edges and more.
   std::vector<std::size_t> vertex_edge;  ///< One a vertex: the edge that it was made on.
   std::vector<double> vertex_s;          ///< And where.
-  std::vector<std::size_t> point_of;     ///< One a vertex: the first vertex that is the same point of the chart.
-  std::vector<std::size_t> node_of;      ///< The first vertex that is the same node; loops before lines.
+  /// One a vertex, once the network is made for those of point_of: its place where that is known to the last digit, as
+  /// where a line of one u crosses one of one v.
+  std::vector<std::optional<geom::Point>> exact;
+  std::vector<std::size_t> point_of;  ///< One a vertex: the first vertex that is the same point of the chart.
+  std::vector<std::size_t> node_of;   ///< The first vertex that is the same node; loops before lines.
   std::vector<std::vector<std::optional<std::size_t>>> on_edges;  ///< A face, a point asked for: its vertex, if it lies
                                                                   ///< on an edge.
   std::vector<Finding> findings;
@@ -49,10 +52,11 @@ struct Border {
     return edges[edge].space.edge().against == edges[first].space.edge().against;
   }
   [[nodiscard]] geom::Point place(std::size_t vertex) const {
-    return edges[vertex_edge[vertex]].space.place(vertex_s[vertex]);
+    return exact[vertex] ? *exact[vertex] : edges[vertex_edge[vertex]].space.place(vertex_s[vertex]);
   }
   [[nodiscard]] geom::Point3 at(std::size_t vertex) const {
-    return edges[vertex_edge[vertex]].space.at(vertex_s[vertex]);
+    const EdgeInSpace& space = edges[vertex_edge[vertex]].space;
+    return exact[vertex] ? space.surface().at(*exact[vertex]) : space.at(vertex_s[vertex]);
   }
 };
 

@@ -126,7 +126,8 @@ class Wishes {
     return allowed_by(std::isfinite(bend) ? std::min(bend, most_bend_) : bend, sizes_);
   }
   [[nodiscard]] double by_surface(Point uv, const surf::Jet& jet) const {
-    return allowed(followed_bend(space_.surface(), uv, jet, unnoticed_bend(largest_, sizes_), sizes_));
+    return std::min(allowed(followed_bend(space_.surface(), uv, jet, unnoticed_bend(largest_, sizes_), sizes_)),
+                    size_by_chart(jet, sizes_));
   }
   /// @param side  1: to the left, where the face is
   [[nodiscard]] double beside(double s, double own, double side) const {

@@ -61,6 +61,18 @@ MeshInput scaled(const MeshInput& input, const ScaledChart& chart) {
   return made;
 }
 
+bool is_on_kink(const Surface& surface, geom::Point uv) {
+  constexpr double rounding = 1e-12;  // of the chart
+  const geom::Box& chart = surface.chart();
+  const auto on = [](const std::vector<double>& lines, double at, double near) {
+    if (lines.size() <= 2) return false;  // the ends of the chart
+    const auto above = std::lower_bound(lines.begin() + 1, lines.end() - 1, at - near);
+    return above != lines.end() - 1 && *above <= at + near;
+  };
+  return on(surface.kinks().u, uv.x, rounding * chart.width()) ||
+         on(surface.kinks().v, uv.y, rounding * chart.height());
+}
+
 /// Errors of the plane's triangulation say places of the scaled chart.
 Error unscaled(Error error, const ScaledChart& chart) {
   if (!error.place || !error.place->x || !error.place->y) return error;
@@ -134,7 +146,11 @@ Result<void> ChartMesher::State::prepare(const Progress& progress) {
   Kernel& kernel = domain.kernel;
   given = kernel.vertex_count();
   std::vector<geom::Point3> at(given);
-  for (std::size_t p = 0; p < input.at.size(); ++p) at[domain.vertex_of_point[p]] = input.at[p];
+  std::vector<std::uint8_t> on_kink(given, 0);
+  for (std::size_t p = 0; p < input.at.size(); ++p) {
+    at[domain.vertex_of_point[p]] = input.at[p];
+    on_kink[domain.vertex_of_point[p]] = is_on_kink(input.surface, input.chart.points[p]) ? 1 : 0;
+  }
   std::vector<GivenSide> sides;
   for (std::size_t i = 0; i < input.chart.edges.size(); ++i) {
     for (std::size_t k = domain.chain_first[i]; k + 1 < domain.chain_first[i + 1]; ++k) {
@@ -146,7 +162,7 @@ Result<void> ChartMesher::State::prepare(const Progress& progress) {
             chart_sizes(chart, sides, scaled_input.sizes, tips, options.sizes, progress.part(0.5, 1.0)));
   sizes = std::move(found);
   space = ChartSpace(chart, *sizes, kernel);
-  for (Kernel::Vertex v = 0; v < given; ++v) space.enter(v, at[v]);
+  for (Kernel::Vertex v = 0; v < given; ++v) space.enter(v, at[v], on_kink[v] != 0);
   constexpr double doubtful = 1.25;
   // Nor where a size is no number.
   if (!(space.expected_triangles() <= doubtful * static_cast<double>(options.points.max_triangles))) return too_many();
@@ -302,7 +318,9 @@ Result<FaceMesh> mesh_chart(const ChartInput& input, const ChartMeshOptions& opt
     }
     const bool large = best->chart.triangles.size() > options.large;
     if (fewest.grave() == 0 && (fewest.flat == 0 || large)) break;
-    if (fewest.grave() > options.hopeless || alike >= options.alike) break;
+    const bool sideways = std::isfinite(size_by_chart(input.surface.jet(faults.first), own.sizes));
+    if ((fewest.grave() > options.hopeless && !sideways) || alike >= options.alike) break;
+    own.sizes.sideways *= options.less_sideways;
     own.sizes.largest *= options.smaller;
     own.sizes.turn *= options.smaller;
   }

@@ -31,7 +31,8 @@ struct ChartMeshOptions {
   /// But not where more triangles than this fold: then the surface does so itself, at any size.
   std::size_t hopeless = 200;
   double smaller = 0.93;
-  bool keep_folds = false;  ///< The best mesh is returned though it folds in space: the caller judges it.
+  double less_sideways = 0.8;  ///< And SizeOptions::sideways by this. Graphs never fold themselves.
+  bool keep_folds = false;     ///< The best mesh is returned though it folds in space: the caller judges it.
   /// Meshes of more triangles have one round before `tidy` and one after it, their nodes rest within twice
   /// `smoothing.least_step`, and mesh_chart does not begin again for flat triangles.
   std::size_t large = 100'000;

@@ -94,6 +94,7 @@ class Builder {
       if (distance < tip_seen * largest_) by_shape *= tip_seen * largest_ / std::max(distance, 1e-12 * largest_);
       by_shape = std::min(by_shape, tip.size + tip_growth * distance);
     }
+    by_shape = std::min(by_shape, size_by_chart(jet, options_));
     return std::max(options_.least, std::min({largest_, by_shape, options_.wanted_at(chart_.unscaled(p), jet.at)}));
   }
 
@@ -312,6 +313,29 @@ double size_by_bend(double bend, const SizeOptions& options) {
   constexpr double longer = 1.6;
   if (options.chord > 0.0) size = std::min(size, std::sqrt(6.0 * options.chord / bend) / longer);
   return size;
+}
+
+double size_by_chart(const Jet& jet, const SizeOptions& options) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto is_upright = [](geom::Vector3 bent) { return bent.x == 0.0 && bent.y == 0.0; };
+  if (!is_upright(jet.uu) || !is_upright(jet.uv) || !is_upright(jet.vv)) return none;
+  const Metric m = metric(jet);
+  const geom::Vector3 across = cross(jet.u, jet.v);
+  const double area = m.area(), along = std::sqrt(m.e);
+  if (!(area > 0.0 && std::isfinite(area))) return none;
+  const geom::Vector3 normal = across / area, first = jet.u / along, second = cross(normal, first);
+  constexpr int ways = 12;
+  double most = 0.0;
+  for (int i = 0; i < ways; ++i) {
+    const double angle = std::numbers::pi * i / ways;
+    // A unit step on the surface, and in the chart.
+    const geom::Vector3 step = std::cos(angle) * first + std::sin(angle) * second;
+    const double by_u = dot(step, jet.u), by_v = dot(step, jet.v);
+    const double u = (m.g * by_u - m.f * by_v) / (area * area), v = (m.e * by_v - m.f * by_u) / (area * area);
+    most = std::max(most, std::abs(dot(u * u * jet.uu + 2.0 * u * v * jet.uv + v * v * jet.vv, cross(normal, step))));
+  }
+  // A side h is h^2 k / 8 off to the side in its middle; a triangle over it is 0.87 h high.
+  return most > 0.0 ? options.sideways / most : none;
 }
 
 double size_by_shape(const Jet& jet, const SizeOptions& options) { return size_by_bend(greatest_bend(jet), options); }

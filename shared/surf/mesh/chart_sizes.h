@@ -42,6 +42,10 @@ double largest_size(const Surface& surface, const SizeOptions& options);
 double size_by_shape(const Jet& jet, const SizeOptions& options);
 /// The same for a greatest curvature, 1/m.
 double size_by_bend(double bend, const SizeOptions& options);
+/// The size up to which triangles of a graph are not turned round in the chart: where it is steep, straight lines of
+/// the chart bend sideways on it, more than it bends itself. Infinite for surfaces that are no graphs, and where they
+/// do not.
+double size_by_chart(const Jet& jet, const SizeOptions& options);
 /// The extent of bends that are not followed, m: a thousandth of the largest size, a quarter of the chord where one is
 /// asked. Coordinates of files are rounded, which bends surfaces without bound beside a side that is one point.
 double unnoticed_bend(double largest, const SizeOptions& options);

@@ -13,7 +13,29 @@ ChartSpace::Place ChartSpace::between(Vertex a, Vertex b, double t) const {
           nodes_[a].u(), nodes_[a].v()};
 }
 
+/// A place of the chart to the left of the middle of a side, so near that no kink lies between.
+geom::Point ChartSpace::left_of_middle(Vertex a, Vertex b) const {
+  constexpr double hair = 1e-6;  // of the side
+  const geom::Point p = kernel_->point(a), q = kernel_->point(b);
+  return geom::midpoint(p, q) + hair * geom::left_of(q - p);
+}
+
+geom::Point ChartSpace::centroid(Vertex a, Vertex b, Vertex c) const {
+  const geom::Point p = kernel_->point(a), q = kernel_->point(b), r = kernel_->point(c);
+  return {(p.x + q.x + r.x) / 3.0, (p.y + q.y + r.y) / 3.0};
+}
+
+ChartSpace::Frame ChartSpace::normal(geom::Point in_chart) const {
+  const Jet jet = chart_->jet(in_chart);
+  return unit(geom::cross(jet.u, jet.v));
+}
+
 ChartSpace::Place ChartSpace::beside(Vertex a, Vertex b, Vector by) const {
+  if (on_kink(a) || on_kink(b)) {
+    const Jet jet = chart_->jet(left_of_middle(a, b));
+    return {geom::midpoint(nodes_[a].at, nodes_[b].at) + by,
+            geom::midpoint(kernel_->point(a), kernel_->point(b)) + in_chart(jet.u, jet.v, by), jet.u, jet.v};
+  }
   const Vector u = 0.5 * (nodes_[a].u() + nodes_[b].u());
   const Vector v = 0.5 * (nodes_[a].v() + nodes_[b].v());
   return {geom::midpoint(nodes_[a].at, nodes_[b].at) + by,
@@ -40,6 +62,28 @@ bool ChartSpace::ground(Place& place) const {
 }
 
 bool ChartSpace::settle(Vertex a, Vertex b, double height, Place& place) const {
+  const Point middle = geom::midpoint(nodes_[a].at, nodes_[b].at);
+  const Vector by = place.at - middle;
+  Place given = place;
+  if (approach(a, b, height, place) && dot(place.at - middle, by) > 0.0) return true;
+  // On a steep flank that bends, a straight way of the chart leaves the plane of the step at once: so it is gone in
+  // parts, each from where the one before has led.
+  given.in_chart = geom::midpoint(kernel_->point(a), kernel_->point(b));
+  constexpr int parts = 6;
+  for (int left = parts; left > 0; --left) {
+    Place here = given;
+    here.grounded = false;
+    if (!ground(here)) return false;
+    const Vector rest = middle + by - here.at;
+    given.in_chart = here.in_chart + in_chart(here.u, here.v, rest / static_cast<double>(left));
+    given.grounded = false;
+  }
+  if (!approach(a, b, height, given) || !(dot(given.at - middle, by) > 0.0)) return false;
+  place = given;
+  return true;
+}
+
+bool ChartSpace::approach(Vertex a, Vertex b, double height, Place& place) const {
   constexpr double close_enough = 0.01;
   constexpr double far_off = 0.1;
   constexpr int rounds = 3;
@@ -65,7 +109,11 @@ bool ChartSpace::settle(Vertex a, Vertex b, double height, Place& place) const {
   return missed <= far_off;
 }
 
-void ChartSpace::enter(Vertex v, Point at) {
+void ChartSpace::enter(Vertex v, Point at, bool on_kink) {
+  if (on_kink) {
+    on_kink_.resize(v + 1, 0);
+    on_kink_[v] = 1;
+  }
   Place place{at, kernel_->point(v), {}, {}};
   const Jet jet = chart_->jet(place.in_chart);
   place.u = jet.u;
@@ -131,7 +179,12 @@ ChartSpace ChartSpace::part(Kernel& kernel, std::span<const Vertex> node) const 
   ChartSpace part(*chart_, *sizes_, kernel);
   part.whole_ = false;
   part.nodes_.reserve(node.size());
-  for (const Vertex v : node) part.nodes_.push_back(nodes_[v]);
+  for (std::size_t v = 0; v < node.size(); ++v) {
+    part.nodes_.push_back(nodes_[node[v]]);
+    if (!on_kink(node[v])) continue;
+    part.on_kink_.resize(v + 1, 0);
+    part.on_kink_[v] = 1;
+  }
   return part;
 }
 
@@ -182,7 +235,13 @@ bool ChartSpace::flips(Vertex a, Vertex b, Vertex c, Vertex d) const {
 
 bool ChartSpace::turns(Vertex a, Vertex b, Vertex c) const {
   constexpr double most = 0.5;  // the cosine of 60 degrees
-  const Vector p = frame(a), q = frame(b), r = frame(c);
+  const geom::Point middle = on_kink(a) || on_kink(b) || on_kink(c) ? centroid(a, b, c) : geom::Point{};
+  // On a kink the normal is that of the triangle's side.
+  const auto at_corner = [&](Vertex v) {
+    constexpr double hair = 1e-6;
+    return on_kink(v) ? normal(geom::interpolate(kernel_->point(v), middle, hair)) : frame(v);
+  };
+  const Vector p = at_corner(a), q = at_corner(b), r = at_corner(c);
   return dot(p, q) < most || dot(q, r) < most || dot(r, p) < most;
 }
 

@@ -45,7 +45,11 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   }
   [[nodiscard]] Frame frame(Vertex v) const { return unit(cross(nodes_[v].u(), nodes_[v].v())); }
   [[nodiscard]] Frame frame(Vertex a, Vertex b) const {
+    if (on_kink(a) || on_kink(b)) return normal(left_of_middle(a, b));
     return unit(geom::cross(nodes_[a].u() + nodes_[b].u(), nodes_[a].v() + nodes_[b].v()));
+  }
+  [[nodiscard]] Frame frame(Vertex a, Vertex b, Vertex c) const {
+    return on_kink(a) ? normal(centroid(a, b, c)) : frame(a);
   }
 
   static Vector cross(Vector a, Vector b) { return geom::cross(a, b); }
@@ -82,7 +86,8 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   }
   /// A node of the kernel that has none here yet: those come in order. @param at  where it is, on the surface or near
   /// it
-  void enter(Vertex v, Point at);
+  /// @param on_kink  the normal jumps there: what is wanted of a side or triangle is looked up on it
+  void enter(Vertex v, Point at, bool on_kink = false);
 
   [[nodiscard]] dobra::mesh::front::LeafScale scale(dobra::mesh::sizing::QuadCellId leaf) const {
     return sizes_->scale[leaf.index()];
@@ -121,6 +126,12 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
     [[nodiscard]] Vector v() const { return {tangents[3], tangents[4], tangents[5]}; }
   };
 
+  /// Newton's steps from a place to the one at that distance from the middle of a side, over it.
+  bool approach(Vertex a, Vertex b, double height, Place& place) const;
+  [[nodiscard]] bool on_kink(Vertex v) const { return v < on_kink_.size() && on_kink_[v] != 0; }
+  [[nodiscard]] geom::Point left_of_middle(Vertex a, Vertex b) const;
+  [[nodiscard]] geom::Point centroid(Vertex a, Vertex b, Vertex c) const;
+  [[nodiscard]] Frame normal(geom::Point in_chart) const;
   static Vector unit(Vector a) { return a / std::sqrt(dot(a, a)); }
   /// The step of the chart that a vector's part in the tangent plane is.
   static geom::Vector in_chart(Vector u, Vector v, Vector by) {
@@ -134,7 +145,8 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   const ChartSizes* sizes_ = nullptr;
   Kernel* kernel_ = nullptr;
   std::vector<Node> nodes_;
-  bool whole_ = true;  ///< Not a part.
+  std::vector<std::uint8_t> on_kink_;  ///< Up to the last of those; none where the surface has no kink.
+  bool whole_ = true;                  ///< Not a part.
   bool coarse_ = false;
   mutable std::size_t by_chart_ = 0;  ///< Flips that the chart decided.
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "shared/surf/details.h"
@@ -18,6 +19,33 @@ using Rule = boost::math::quadrature::gauss<double, 7>;
 
 /// Marks of a span between breaks: few where there are many spans, as in a line of a thousand corners.
 std::size_t marks_of_span(std::size_t spans) { return std::clamp<std::size_t>(256 / spans, 2, 64); }
+
+/// The marks, and between them the places where an edge passes a kink of its surface: there its tangent jumps.
+template <class Place>
+std::vector<double> with_kinks(const Surface& surface, const Place& place, const std::vector<double>& marks) {
+  const Breaks& kinks = surface.kinks();
+  std::vector<double> made;
+  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
+    made.push_back(marks[i]);
+    const auto pass = [&](const std::vector<double>& lines, const auto& coordinate) {
+      if (lines.size() <= 2) return;  // the ends of the chart
+      const double from = coordinate(place(marks[i])), to = coordinate(place(marks[i + 1]));
+      const auto first = std::upper_bound(lines.begin() + 1, lines.end() - 1, std::min(from, to));
+      for (auto line = first; line != lines.end() - 1 && *line < std::max(from, to); ++line) {
+        double before = marks[i], after = marks[i + 1];
+        for (double s = std::midpoint(before, after); s > before && s < after; s = std::midpoint(before, after))
+          ((coordinate(place(s)) < *line) == (from < *line) ? before : after) = s;
+        if (before > marks[i]) made.push_back(before);
+      }
+    };
+    pass(kinks.u, [](geom::Point p) { return p.x; });
+    pass(kinks.v, [](geom::Point p) { return p.y; });
+    std::sort(made.begin(), made.end());
+  }
+  made.push_back(marks.back());
+  made.erase(std::unique(made.begin(), made.end()), made.end());
+  return made;
+}
 
 }  // namespace
 
@@ -41,8 +69,8 @@ EdgeInSpace::EdgeInSpace(Surface surface, trim::ChartEdge edge) : surface_(std::
     }
   }
   marks_.push_back(1.0);
-  marks_ = seen_along(
-      surface_, [&](double s) { return place(s); }, marks_);
+  const auto at_place = [&](double s) { return place(s); };
+  marks_ = seen_along(surface_, at_place, with_kinks(surface_, at_place, marks_));
   travelled_.push_back(0.0);
   for (std::size_t i = 0; i + 1 < marks_.size(); ++i) {
     const auto rate = [&](double s) { return speed(s); };

@@ -60,6 +60,23 @@ TEST(MeshesOfNarrowPeaks, APeakIsMeshedWithItsArea) {
   }
 }
 
+/// On its flanks, 18 times as steep as wide, straight lines of the chart leave the surface's level at once.
+TEST(MeshesOfNarrowPeaks, AHighPeakIsMeshedAtEverySize) {
+  const double three = dobra::support::peak_area(3.0, 50.0) - 36.0;
+  for (const char* const formula :
+       {"3 * exp(-(x^2 + y^2) / 0.02)", "3 * exp(-((x - 0.137)^2 + (y - 0.21)^2) / 0.02)"}) {
+    for (const double turn : {10.0, 20.0}) {
+      for (const double size : {1.0, 0.4, 0.3}) {
+        const auto mesh = meshed(formula, size, turn, SurfaceEngine::Front, 1.0);
+        ASSERT_TRUE(mesh.ok()) << formula << ' ' << size << ' ' << turn << ' ' << to_string(mesh.error());
+        EXPECT_NEAR(mesh->quality.area, 4.0 + three, 0.01 * three) << formula << ' ' << size << ' ' << turn;
+        EXPECT_GT(mesh->quality.alpha_min, 0.3) << formula << ' ' << size << ' ' << turn;
+        EXPECT_THAT(codes_of(*mesh), testing::IsEmpty()) << formula << ' ' << size << ' ' << turn;
+      }
+    }
+  }
+}
+
 /// The area is right to a hundredth of what the feature adds, or the mesh says what it leaves out, or is refused where
 /// the feature is.
 TEST(MeshesOfNarrowPeaks, NoneIsLeftOutSilently) {
