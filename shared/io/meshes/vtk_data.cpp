@@ -1,6 +1,6 @@
-// An array is a head and its data. The head is the number of bytes; of compressed arrays the number of blocks, the bytes
-// of a whole block, those of the last one (0: a whole one), and what each takes compressed. In base64 a compressed array
-// has its head encoded apart from its data, another has both in one.
+// An array is a head and its data. The head is the number of bytes; of compressed arrays the number of blocks, the
+// bytes of a whole block, those of the last one (0: a whole one), and what each takes compressed. In base64 a
+// compressed array has its head encoded apart from its data, another has both in one.
 #include "shared/io/meshes/vtk_data.h"
 
 #include <fmt/format.h>
@@ -63,9 +63,7 @@ class ArrayBytes {
 
  private:
   /// What so many bytes take in the file.
-  [[nodiscard]] std::size_t written(std::size_t bytes) const {
-    return encoding_.base64 ? (bytes + 2) / 3 * 4 : bytes;
-  }
+  [[nodiscard]] std::size_t written(std::size_t bytes) const { return encoding_.base64 ? (bytes + 2) / 3 * 4 : bytes; }
 
   Error wrong() const { return Error{ErrorCode::BadFormat, "the array is longer than what is left of the file", {}}; }
 
@@ -75,8 +73,7 @@ class ArrayBytes {
     const std::string_view text = data_.substr(0, written(head + size));
     if (!encoding_.base64) return std::string(text);
     std::optional<std::string> bytes = from_base64(text);
-    if (!bytes || bytes->size() < head + size)
-      return Error{ErrorCode::BadFormat, "this array is not valid base64", {}};
+    if (!bytes || bytes->size() < head + size) return Error{ErrorCode::BadFormat, "this array is not valid base64", {}};
     bytes->resize(head + size);
     return *std::move(bytes);
   }
@@ -87,8 +84,7 @@ class ArrayBytes {
     const std::size_t skipped = encoding_.base64 ? begin / 3 * 4 : begin;
     if (skipped > data_.size()) return wrong();
     const std::size_t lead = encoding_.base64 ? begin % 3 : 0;
-    DOBRA_TRY(const std::string bytes,
-              ArrayBytes(data_.substr(skipped), encoding_).take(lead, encoding_.header_size));
+    DOBRA_TRY(const std::string bytes, ArrayBytes(data_.substr(skipped), encoding_).take(lead, encoding_.header_size));
     std::uint64_t value = 0;
     std::memcpy(&value, bytes.data() + lead, encoding_.header_size);
     return static_cast<std::size_t>(value);

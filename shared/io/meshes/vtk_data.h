@@ -1,6 +1,6 @@
 #pragma once
-// The binary data of VTK's XML files: in place or appended behind the markup, as base64 or raw, as they are or compressed
-// by zlib. Of use to VtkArrays. Source: [vtkfileformats].
+// The binary data of VTK's XML files: in place or appended behind the markup, as base64 or raw, as they are or
+// compressed by zlib. Of use to VtkArrays. Source: [vtkfileformats].
 
 #include <cstddef>
 #include <string>
