@@ -566,10 +566,13 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
   for (const HorizonMeeting& pair : faces.meetings) {
     const LineMeeting& meeting = pair.meeting;
     const std::size_t places = meeting.crossings > 0 ? meeting.crossings : meeting.touches;
-    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} {}", find_horizon(section, pair.first)->name,
-                                  find_horizon(section, pair.second)->name, meeting.crossings > 0 ? "cross" : "meet",
-                                  places == 1 ? "one place," : fmt::format("{} places, the first at", places),
-                                  meeting.place));
+    const std::string& first = find_horizon(section, pair.first)->name;
+    const std::string& second = find_horizon(section, pair.second)->name;
+    const char* const how = meeting.crossings > 0 ? "cross" : "meet";
+    remarks.push_back(places == 1
+                          ? fmt::format("horizons '{}' and '{}' {} at one place, {}", first, second, how, meeting.place)
+                          : fmt::format("horizons '{}' and '{}' {} at {} places, the first at {}", first, second, how,
+                                        places, meeting.place));
   }
   for (const OpenPlace& open : faces.open) {
     remarks.push_back(

@@ -201,6 +201,7 @@ MeshRow vtu_row() {
         DOBRA_TRY(meshes::VtuContents contents, meshes::parse_vtu(text, file));
         return MeshAndFields{std::move(contents.mesh), std::move(contents.fields)};
       },
+      .binary = true,
       .space = true,
       .note = "<!-- {} -->\n",
       .note_behind = "\n"};
@@ -341,6 +342,7 @@ MeshRow vtp_row() {
             return meshes::vtp_text(meshes::polygons_of(mesh, heights));
           },
           .polygons = meshes::parse_vtp,
+          .binary = true,
           .space = true,
           .surface = true,
           .note = "<!-- {} -->\n",

@@ -50,8 +50,8 @@ Result<Drawing> read_drawing(const std::string& path) {
 
 Result<MeshAndFields> read_fields(const std::string& path) {
   DOBRA_TRY(const Format* const format, format_for(path, Use::ReadFields, "fields"));
-  DOBRA_TRY(const std::string text, read_text(path));
-  return format->mesh->fields(text, path);
+  DOBRA_TRY(const std::string contents, contents_of(path, *format->mesh));
+  return format->mesh->fields(contents, path);
 }
 
 Result<PolygonsAndRemarks> read_polygons_told(const std::string& path) {
@@ -94,8 +94,8 @@ Result<MeshContents> read_mesh(const std::string& path) {
 Result<MeshContents> read_mesh_in_space(const std::string& path) {
   DOBRA_TRY(const Format* const format, format_for(path, Use::ReadMesh, "meshes"));
   if (format->mesh->parse_in_space == nullptr) return read_mesh(path);
-  DOBRA_TRY(const std::string text, read_text(path));
-  DOBRA_TRY(MeshContents contents, format->mesh->parse_in_space(text, path));
+  DOBRA_TRY(const std::string bytes, contents_of(path, *format->mesh));
+  DOBRA_TRY(MeshContents contents, format->mesh->parse_in_space(bytes, path));
   tell_turned(path, contents);
   return contents;
 }

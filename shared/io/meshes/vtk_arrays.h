@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "shared/base/result.h"
-#include "shared/io/meshes/vtk_data.h"
 #include "shared/io/meshes/vtu.h"
+#include "shared/io/vtk_data.h"
 #include "shared/io/xml.h"
 
 namespace dobra::io::meshes {

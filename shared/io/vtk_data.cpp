@@ -1,7 +1,7 @@
 // An array is a head and its data. The head is the number of bytes; of compressed arrays the number of blocks, the
 // bytes of a whole block, those of the last one (0: a whole one), and what each takes compressed. In base64 a
 // compressed array has its head encoded apart from its data, another has both in one.
-#include "shared/io/meshes/vtk_data.h"
+#include "shared/io/vtk_data.h"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -15,7 +15,7 @@
 #include "shared/io/base64.h"
 #include "shared/io/scan.h"
 
-namespace dobra::io::meshes {
+namespace dobra::io {
 
 using base::Error;
 using base::ErrorCode;
@@ -134,4 +134,4 @@ Result<std::string> vtk_bytes(std::string_view data, const VtkEncoding& encoding
   return encoding.zlib ? array.compressed() : array.plain();
 }
 
-}  // namespace dobra::io::meshes
+}  // namespace dobra::io

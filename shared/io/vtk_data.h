@@ -8,7 +8,7 @@
 
 #include "shared/base/result.h"
 
-namespace dobra::io::meshes {
+namespace dobra::io {
 
 /// A file parted into its markup, which is XML, and the raw bytes appended in it, which are not.
 struct VtkParts {
@@ -31,4 +31,4 @@ struct VtkEncoding {
 /// @error BadFormat without a place: no base64, lengths that do not fit, bytes that zlib refuses.  @cost linear
 base::Result<std::string> vtk_bytes(std::string_view data, const VtkEncoding& encoding);
 
-}  // namespace dobra::io::meshes
+}  // namespace dobra::io
