@@ -65,10 +65,13 @@ bool ChartSpace::settle(Vertex a, Vertex b, double height, Place& place) const {
   const Point middle = geom::midpoint(nodes_[a].at, nodes_[b].at);
   const Vector by = place.at - middle;
   Place given = place;
-  if (approach(a, b, height, place) && dot(place.at - middle, by) > 0.0) return true;
+  const bool found = approach(a, b, height, place);
+  if (found && dot(place.at - middle, by) > 0.0) return true;
+  const geom::Point start = geom::midpoint(kernel_->point(a), kernel_->point(b));
+  if (!std::isfinite(size_by_chart(chart_->jet(start), {}))) return found;
   // On a steep flank that bends, a straight way of the chart leaves the plane of the step at once: so it is gone in
   // parts, each from where the one before has led.
-  given.in_chart = geom::midpoint(kernel_->point(a), kernel_->point(b));
+  given.in_chart = start;
   constexpr int parts = 6;
   for (int left = parts; left > 0; --left) {
     Place here = given;
