@@ -119,7 +119,7 @@ struct ChartMesher::State {
   }
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
-    std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
+    std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), fixed_node);
     const std::size_t triangles = domain.kernel.cell_count();
     const bool large = triangles > options.large;
     const int before = std::min(options.rounds, large ? 1 : 2);
@@ -128,12 +128,26 @@ struct ChartMesher::State {
     dobra::mesh::front::SmoothOptions rough = options.smoothing;
     rough.least_step *= 2.0;
     DOBRA_TRY_VOID(dobra::mesh::front::improve(domain.kernel, space, fixed, rough, before, progress.part(0.0, 0.5)));
-    DOBRA_TRY(const auto changed, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.5, 0.8)));
+    DOBRA_TRY(auto changed, unfold(domain.kernel, space, options.unfold, progress));
+    DOBRA_TRY(const auto flipped, tidy(domain.kernel, space, fixed, options.tidy, progress.part(0.5, 0.8)));
+    changed.insert(changed.end(), flipped.begin(), flipped.end());
+    const auto& last = large ? rough : options.smoothing;
+    DOBRA_TRY_VOID(dobra::mesh::front::improve(domain.kernel, space, resting_but(changed, fixed), last, after,
+                                               progress.part(0.8, 0.95)));
+    DOBRA_TRY(const auto unfolded, unfold(domain.kernel, space, options.unfold, progress));
+    if (unfolded.empty()) return {};
+    return dobra::mesh::front::improve(domain.kernel, space, resting_but(unfolded, fixed), options.smoothing,
+                                       options.rounds, progress.part(0.95, 1.0));
+  }
+  static constexpr std::uint8_t fixed_node = 1;
+  /// All nodes rest but these and the fixed ones.
+  [[nodiscard]] static std::vector<std::uint8_t> resting_but(std::span<const Kernel::Vertex> these,
+                                                             const std::vector<std::uint8_t>& fixed) {
     constexpr std::uint8_t resting = 2;
-    for (std::uint8_t& each : fixed) each = each == 0 ? resting : each;
-    for (const Kernel::Vertex v : changed) fixed[v] = 0;
-    return dobra::mesh::front::improve(domain.kernel, space, fixed, large ? rough : options.smoothing, after,
-                                       progress.part(0.8, 1.0));
+    std::vector<std::uint8_t> flags(fixed.size(), resting);
+    for (const Kernel::Vertex v : these) flags[v] = 0;
+    for (std::size_t v = 0; v < fixed.size(); ++v) flags[v] = fixed[v] == fixed_node ? fixed_node : flags[v];
+    return flags;
   }
 };
 

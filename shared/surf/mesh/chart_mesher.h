@@ -13,6 +13,7 @@
 #include "shared/surf/mesh/assemble.h"
 #include "shared/surf/mesh/chart_input.h"
 #include "shared/surf/mesh/tidy.h"
+#include "shared/surf/mesh/unfold.h"
 
 namespace dobra::surf::mesh {
 
@@ -37,6 +38,7 @@ struct ChartMeshOptions {
   /// `smoothing.least_step`, and mesh_chart does not begin again for flat triangles.
   std::size_t large = 100'000;
   TidyOptions tidy = {};  ///< Between two of them.
+  int unfold = 4;         ///< Rounds of `unfold` before it, and as many at the end.
 };
 
 /// A mesher at work, to be watched or stopped anywhere: start, step until done, take the mesh.

@@ -212,13 +212,21 @@ bool ChartSpace::flips(Vertex a, Vertex b, Vertex c, Vertex d) const {
   };
   // Two rules beside each other need not end: the chart's is taken so often and no more.
   constexpr std::size_t often = 64;
+  const Point pa = at(a), pb = at(b), pc = at(c), pd = at(d);
+  if (unfolding_) {
+    const double before = folded_area(a, b, c) + folded_area(b, a, d);
+    if (before > 0.0) {
+      constexpr double less = 0.9;
+      return turns_left(qa, qd, qc) && turns_left(qd, qb, qc) &&
+             folded_area(a, d, c) + folded_area(d, b, c) < less * before;
+    }
+  }
   const bool turned = coarse_ && (turns(a, b, c) || turns(a, b, d) || turns(c, d, c));
   if (turned && by_chart_ < often * (kernel_->vertex_count() + often)) {
     if (!by_chart()) return false;
     ++by_chart_;
     return true;
   }
-  const Point pa = at(a), pb = at(b), pc = at(c), pd = at(d);
   // The angles at c and d together are less than half a turn: as good as it can be in a plane.
   const Vector ca = pa - pc, cb = pb - pc, da = pa - pd, db = pb - pd;
   const Vector area_c = geom::cross(ca, cb), area_d = geom::cross(db, da);
@@ -232,8 +240,14 @@ bool ChartSpace::flips(Vertex a, Vertex b, Vertex c, Vertex d) const {
   const double before = std::max(least_angle_cosine(pa, pb, pc), least_angle_cosine(pb, pa, pd));
   const double after = std::max(least_angle_cosine(pa, pd, pc), least_angle_cosine(pd, pb, pc));
   if (after >= before - margin) return false;
+  if (folded_area(a, d, c) + folded_area(d, b, c) > folded_area(a, b, c) + folded_area(b, a, d)) return false;
   // Across a cone chords are short: there both must agree.
   return (!turned && !turns(a, b, c) && !turns(a, b, d) && !turns(c, d, c)) || by_chart();
+}
+
+double ChartSpace::folded_area(Vertex a, Vertex b, Vertex c) const {
+  if (on_kink(a) || on_kink(b) || on_kink(c)) return 0.0;
+  return std::max(0.0, -dot(geom::cross(at(b) - at(a), at(c) - at(a)), frame(a) + frame(b) + frame(c)) / 6.0);
 }
 
 bool ChartSpace::turns(Vertex a, Vertex b, Vertex c) const {

@@ -51,6 +51,8 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   [[nodiscard]] Frame frame(Vertex a, Vertex b, Vertex c) const {
     return on_kink(a) ? normal(centroid(a, b, c)) : frame(a);
   }
+  /// Of the surface in the middle of a triangle of the chart.
+  [[nodiscard]] Frame frame_in_middle(Vertex a, Vertex b, Vertex c) const { return normal(centroid(a, b, c)); }
 
   static Vector cross(Vector a, Vector b) { return geom::cross(a, b); }
   static double cross(Frame normal, Vector a, Vector b) { return dot(normal, geom::cross(a, b)); }
@@ -106,12 +108,18 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   }
   /// While cells are large beside the bends of the surface: the chart decides of those over which it turns.
   void coarse() { coarse_ = true; }
+  /// Whether a side is flipped too where less of the area beside it looks against the surface afterwards. Each such flip
+  /// takes away a tenth of that area at least.
+  void favour_unfolded(bool yes) { unfolding_ = yes; }
   /// Makes the kernel flip sides by this space's rule.
   void rule() { kernel_->set_rule(this); }
   [[nodiscard]] bool flips(Vertex a, Vertex b, Vertex c, Vertex d) const override;
   /// Whether the normals at two of the corners differ by more than 60 degrees: chords are no measure of the surface
   /// then.
   [[nodiscard]] bool turns(Vertex a, Vertex b, Vertex c) const;
+  /// The area of a triangle that looks against the normals at its corners, as these see it, m2; 0 of others, and on
+  /// kinks, where there are none.
+  [[nodiscard]] double folded_area(Vertex a, Vertex b, Vertex c) const;
 
  private:
   /// What is kept of a node: derivatives need not be exact, what must be so is decided in the chart.
@@ -148,6 +156,7 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   std::vector<std::uint8_t> on_kink_;  ///< Up to the last of those; none where the surface has no kink.
   bool whole_ = true;                  ///< Not a part.
   bool coarse_ = false;
+  bool unfolding_ = false;
   mutable std::size_t by_chart_ = 0;  ///< Flips that the chart decided.
 };
 
