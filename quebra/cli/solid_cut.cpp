@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "quebra/model/model.h"
 #include "quebra/solids/cap_domain.h"
 #include "quebra/solids/parts.h"
 #include "quebra/solids/tree_check.h"
