@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "quebra/model/model.h"
 #include "quebra/solids/cap_domain.h"
 #include "quebra/solids/parts.h"
 #include "quebra/solids/tree_check.h"
@@ -129,6 +130,12 @@ Result<CutFigures> cut_bodies(Session& session, const std::vector<Bodies::Body>&
     return figures;
   }
   if (contact.in_face) findings.push_back({"cut_in_face", fmt::format("--cut: {}", solids::cut_in_face), {}});
+  for (const solid::SectionOverlap& overlap : section.overlaps) {
+    if (materials[overlap.first] == materials[overlap.second]) continue;
+    const geom::Point3 at = section.frame.in_space(overlap.at);
+    findings.push_back({"cut_overlap", fmt::format("--cut: {}", solids::message(overlap, materials)),
+                        base::Place{.x = at.x, .y = at.y, .z = at.z}});
+  }
   std::set<std::string> regions;
   for (const solid::CapRegion& region : cap.regions) {
     figures.area += region.area;

@@ -67,6 +67,15 @@ sketch::Sketch sketch_of(const solid::Cap& cap, std::span<const std::string> mat
   return sketch;
 }
 
+std::string message(const solid::SectionOverlap& overlap, std::span<const std::string> materials) {
+  const std::string& first = materials[overlap.first];
+  const std::string& second = materials[overlap.second];
+  return fmt::format(
+      "'{}' and '{}' overlap in the section, over {:.6g} m2: it shows '{}' there, which comes first, and "
+      "'{}' is lost; subtract one from the other",
+      first, second, overlap.area, first, second);
+}
+
 scenario::Document document_of(const sketch::Sketch& sketch, const solid::CutPlane& plane,
                                const solid::SectionFrame& frame) {
   scenario::Document document;

@@ -21,6 +21,9 @@ sketch::Sketch sketch_of(const dobra::solid::Cap& cap, std::span<const std::stri
 /// What is told of a plane in which a face lies.
 constexpr const char* cut_in_face = "the plane lies in a face; the section is that of what lies just below the plane";
 
+/// What is told of solids that cover the same of a section.
+std::string message(const dobra::solid::SectionOverlap& overlap, std::span<const std::string> materials);
+
 /// The same as a scenario without steps; where the frame lies in space stands in its comment.
 dobra::scenario::Document document_of(const sketch::Sketch& sketch, const dobra::solid::CutPlane& plane,
                                       const dobra::solid::SectionFrame& frame);

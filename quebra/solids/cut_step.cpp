@@ -9,6 +9,7 @@
 #include "shared/base/text.h"
 #include "shared/io/formats/boundary_file.h"
 #include "shared/solid/measure.h"
+#include "shared/solid/settle.h"
 
 // 1. All bodies of the parts are cut in one go. 2. The cap becomes a sketch, the cracks are drawn into it, and a domain
 // is made of that as of any drawing.
@@ -20,6 +21,7 @@ using namespace dobra;
 using base::Error;
 using base::ErrorCode;
 using base::Result;
+using geom::Point3;
 
 /// What is cut: the parts of those names, or the last.
 Result<std::vector<const Part*>> chosen(const model::Model& model, const std::vector<std::string>& names) {
@@ -105,6 +107,12 @@ NextModel cut_to_domain(const model::Model& model, const CutParams& params, cons
   next.domain.unit = unit;
   next.remarks.push_back(fmt::format("the section has {} pieces and {} curves", cap.regions.size(), cap.lines.size()));
   if (contact.in_face) next.remarks.push_back(cut_in_face);
+  for (const solid::SectionOverlap& overlap : section.overlaps) {
+    if (materials[overlap.first] == materials[overlap.second]) continue;
+    const Point3 at = section.frame.in_space(overlap.at);
+    next.remarks.push_back(
+        fmt::format("{}; at ({:.6g}, {:.6g}, {:.6g})", message(overlap, materials), at.x, at.y, at.z));
+  }
   return next;
 }
 
@@ -130,9 +138,13 @@ void add_part_outputs(const std::shared_ptr<const model::Model>& model, std::vec
                        DOBRA_TRY(const solid::Solid solid, whole(model->solids->parts.back()));
                        if (solid.empty())
                          return Error{ErrorCode::NotClosed, "the last part is empty; there is no file to write"};
-                       DOBRA_TRY(solid::ToMesh faces, solid::to_mesh(solid));
-                       const double unit = model->domain.unit;
-                       for (geom::Point3& p : faces.mesh.points) p = {p.x / unit, p.y / unit, p.z / unit};
+                       DOBRA_TRY(const solid::SettledMesh faces, solid::settle(solid, {.unit = model->domain.unit}));
+                       if (faces.flaw) {
+                         Error error = *faces.flaw;
+                         error.message = fmt::format(
+                             "rounded as it would be in the file, the last part bounds no solid: {}", error.message);
+                         return error;
+                       }
                        return io::formats::write_boundary(path.string(), faces.mesh);
                      },
                      {}});

@@ -8,6 +8,7 @@
 #include "quebra/solids/cap_domain.h"
 #include "shared/base/text.h"
 #include "shared/io/formats/boundary_file.h"
+#include "shared/solid/overlaps.h"
 #include "shared/solid/shape/instance.h"
 #include "shared/solid/shape/loft.h"
 #include "shared/solid/shape/rounding.h"
@@ -69,6 +70,11 @@ Result<model::Model> with_part(const model::Model& model, Part part, Places plac
       if (places != Places::Made) break;
       next.remarks.push_back(fmt::format("{}: {}; at ({:.6g}, {:.6g}, {:.6g})", label(part.name), solid::message(faces),
                                          faces.at.x, faces.at.y, faces.at.z));
+    }
+    if (places == Places::Made && made->warped) {
+      const Point3 at = made->warped->at;
+      next.remarks.push_back(fmt::format("{}: {}; at ({:.6g}, {:.6g}, {:.6g})", label(part.name),
+                                         solid::message(*made->warped), at.x, at.y, at.z));
     }
     body.solid = std::move(made->solid);
     empty = empty && body.solid.empty();
@@ -167,6 +173,25 @@ Result<model::Model> each_with_others(const model::Model& model, const OfParts& 
     result.bodies.push_back({body.material, solid::csg::combined(operation, std::move(operands)), {}});
   }
   return with_part(model, std::move(result), Places::No, progress);
+}
+
+/// What bodies of the last part have in common, which should stand side by side.
+/// @param names  of the parts that they come from
+Result<void> remark_overlaps(model::Model& model, std::span<const std::string> names) {
+  const Part& group = model.solids->parts.back();
+  std::vector<solid::Solid> solids;
+  for (const Body& body : group.bodies) solids.push_back(body.solid);
+  DOBRA_TRY(const solid::Combined all, solid::combine(solids, Operation::Union));
+  if (all.contact != solid::Contact::Volume) return {};
+  DOBRA_TRY(const auto overlaps, solid::overlaps(solids));
+  for (const solid::Overlap& overlap : overlaps) {
+    model.remarks.push_back(
+        fmt::format("{}: '{}' and '{}' overlap: {:.6g} m3 are in both, where a section shows '{}' alone; at ({:.6g}, "
+                    "{:.6g}, {:.6g})",
+                    label(group.name), names[overlap.first], names[overlap.second], overlap.volume,
+                    names[overlap.first], overlap.at.x, overlap.at.y, overlap.at.z));
+  }
+  return {};
 }
 
 solid::shape::Roundness roundness(const RoundPart& params, int rows = solid::shape::Roundness{}.rows) {
@@ -298,8 +323,16 @@ NextModel add_group(const model::Model& model, const GroupParams& params, const 
                     const StepProgress& progress) {
   DOBRA_TRY(const auto parts, parts_of(model, params.of, params.part, 1));
   Part group{params.part, {}};
-  for (const Part* part : parts) group.bodies.insert(group.bodies.end(), part->bodies.begin(), part->bodies.end());
-  return with_part(model, std::move(group), Places::No, progress);
+  std::vector<std::string> names;
+  for (const Part* part : parts) {
+    for (const Body& body : part->bodies) {
+      group.bodies.push_back(body);
+      names.push_back(part->name);
+    }
+  }
+  DOBRA_TRY(model::Model next, with_part(model, std::move(group), Places::No, progress));
+  DOBRA_TRY_VOID(remark_overlaps(next, names));
+  return next;
 }
 
 NextModel add_placed(const model::Model& model, const PlaceParams& params, const StepContext&,

@@ -37,7 +37,7 @@ NextModel add_united(const model::Model&, const UniteParams&, const StepContext&
 NextModel add_intersected(const model::Model&, const IntersectParams&, const StepContext&, const StepProgress&);
 /// Every body of the first part, without all the others.
 NextModel add_subtracted(const model::Model&, const SubtractParams&, const StepContext&, const StepProgress&);
-/// All bodies side by side; where they overlap, a section shows the first.
+/// All bodies side by side; where they overlap, a section shows the first, and a remark tells of it.
 NextModel add_group(const model::Model&, const GroupParams&, const StepContext&, const StepProgress&);
 NextModel add_placed(const model::Model&, const PlaceParams&, const StepContext&, const StepProgress&);
 NextModel add_rounded(const model::Model&, const RoundParams&, const StepContext&, const StepProgress&);

@@ -10,6 +10,7 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/findings.h"
 
 namespace dobra::cli {
 namespace {
@@ -50,15 +51,6 @@ void add_common(CLI::App& app, Flags& flags, const scenario::Program& program) {
   app.footer(exit_codes);
 }
 
-/// One line: what is wrong, and where to look.
-int usage_error(const std::string& program, const std::string& command, std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
-  const std::string full = command.empty() ? program : program + ' ' + command;
-  fmt::print(stderr, "{}: {}; see '{} --help'\n", program, message, full);
-  return base::exit_code(ErrorCode::BadUsage);
-}
-
 /// Long names of the options of `app`.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -88,9 +80,8 @@ class CommandLine {
   int run(int argc, char** argv) {
     words_.assign(argv, argv + argc);
     if (const auto word = misspelt_command(argc, argv)) {
-      return usage_error(
-          program_.name, "",
-          fmt::format("there is no sub-command and no file '{}'{}", *word, base::did_you_mean(*word, command_names())));
+      return usage_error("", fmt::format("there is no sub-command and no file '{}'{}", *word,
+                                         base::did_you_mean(*word, command_names())));
     }
     try {
       app_.parse(argc, argv);
@@ -99,9 +90,9 @@ class CommandLine {
     } catch (const CLI::CallForVersion&) {
       return printed(version_text(program_) + '\n');
     } catch (const CLI::ExtrasError& error) {
-      return usage_error(program_.name, command_name(), unexpected(error.what()));
+      return usage_error(command_name(), unexpected(error.what()));
     } catch (const CLI::ParseError& error) {
-      return usage_error(program_.name, command_name(), error.what());
+      return usage_error(command_name(), error.what());
     }
     for (const auto& [sub, job] : jobs_) {
       if (sub->parsed()) return work(job);
@@ -110,6 +101,22 @@ class CommandLine {
   }
 
  private:
+  /// One line: what is wrong, and where to look; with --json, which may not have been read yet, the finding as well.
+  [[nodiscard]] int usage_error(const std::string& command, std::string message) const {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
+    const std::string full = command.empty() ? program_.name : program_.name + ' ' + command;
+    fmt::print(stderr, "{}: {}; see '{} --help'\n", program_.name, message, full);
+    const Error error{ErrorCode::BadUsage, message};
+    if (std::find(words_.begin(), words_.end(), "--json") != words_.end()) {
+      CommonOptions options;
+      options.format = OutputFormat::Json;
+      Session session(program_, options, {});
+      if (const auto told = tell_refusal(session, error); !told) return exit_code_of(session, told.error());
+    }
+    return base::exit_code(error.code);
+  }
+
   [[nodiscard]] std::vector<std::string> command_names() const {
     std::vector<std::string> names;
     for (const auto& job : jobs_) names.push_back(job.first->get_name());
@@ -176,7 +183,7 @@ class CommandLine {
   }
 
   int open_window() {
-    if (!window_.open) return usage_error(program_.name, "", "this build has no window; give a sub-command");
+    if (!window_.open) return usage_error("", "this build has no window; give a sub-command");
     if (flags_.threads > 0) base::set_thread_count(flags_.threads);
     std::optional<std::filesystem::path> file;
     if (!file_.empty()) file = file_;

@@ -15,23 +15,34 @@ using base::ErrorCode;
 using base::Result;
 using solid::Matrix;
 
-Result<Matrix> parse_matrix(const std::string& text) {
-  Matrix matrix{};
-  std::size_t count = 0;
-  for (std::size_t begin = 0; begin <= text.size(); ++count) {
+namespace {
+
+/// Blanks round them do not count. @error BadUsage naming the option
+Result<std::vector<double>> numbers_of(const char* option, std::string_view text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
+    const std::string_view word = base::trimmed(text.substr(begin, end - begin));
     const auto value = base::parse_number(word);
     if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadUsage, fmt::format("--place: '{}' is not a finite number", word)};
-    if (count < matrix.size()) matrix[count] = *value;
+      return Error{ErrorCode::BadUsage, fmt::format("{}: '{}' is not a finite number", option, word)};
+    numbers.push_back(*value);
     begin = end + 1;
   }
-  if (count != matrix.size()) {
-    return Error{
-        ErrorCode::BadUsage,
-        fmt::format("--place has {} numbers: give the 16 of a matrix, row by row, with commas between them", count)};
+  return numbers;
+}
+
+}  // namespace
+
+Result<Matrix> parse_matrix(const std::string& text) {
+  DOBRA_TRY(const std::vector<double> numbers, numbers_of("--place", text));
+  Matrix matrix{};
+  if (numbers.size() != matrix.size()) {
+    return Error{ErrorCode::BadUsage,
+                 fmt::format("--place has {} numbers: give the 16 of a matrix, row by row, with commas between them",
+                             numbers.size())};
   }
+  std::copy(numbers.begin(), numbers.end(), matrix.begin());
   if (const auto good = solid::check_matrix(matrix); !good)
     return Error{ErrorCode::BadUsage, "--place: " + good.error().message};
   return matrix;
@@ -49,16 +60,7 @@ Result<Placed> place(const mesh::PolygonMesh& mesh, const Matrix& matrix) {
 }
 
 Result<solid::CutPlane> parse_plane(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    const auto value = base::parse_number(word);
-    if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadUsage, fmt::format("--cut: '{}' is not a finite number", word)};
-    numbers.push_back(*value);
-    begin = end + 1;
-  }
+  DOBRA_TRY(const std::vector<double> numbers, numbers_of("--cut", text));
   if (numbers.size() != 4) {
     return Error{
         ErrorCode::BadUsage,

@@ -21,7 +21,9 @@
 #include "shared/solid/boolean.h"
 #include "shared/solid/measure.h"
 #include "shared/solid/mesh_solid.h"
+#include "shared/solid/overlaps.h"
 #include "shared/solid/partition/octree.h"
+#include "shared/solid/settle.h"
 
 // 1. All files are read, placed and taken as solids; scenarios are run. 2. Operations of one kind that follow each
 // other are one: A - B - C is A without B and C. 3. The result is measured, cut where a plane is given, written, and
@@ -131,18 +133,16 @@ struct Outcome {
 };
 
 base::Place in_file(const std::string& file) { return {.file = file}; }
+base::Place in_file_at(const std::string& file, geom::Point3 at) {
+  return {.file = file, .x = at.x, .y = at.y, .z = at.z};
+}
 
 /// The mesh mended; each repair is a finding.
 mesh::PolygonMesh mended(const mesh::PolygonMesh& mesh, double merge, const std::string& file,
                          std::vector<Finding>& findings) {
   mesh::RepairedPolygons repaired = mesh::repaired(mesh, {.merge = merge});
-  for (const mesh::PolygonRepair& repair : repaired.repairs) {
-    base::Place place = in_file(file);
-    place.x = repair.place.x;
-    place.y = repair.place.y;
-    place.z = repair.place.z;
-    findings.push_back({"repaired", repair.message, place});
-  }
+  for (const mesh::PolygonRepair& repair : repaired.repairs)
+    findings.push_back({"repaired", repair.message, in_file_at(file, repair.place)});
   return std::move(repaired.mesh);
 }
 
@@ -171,13 +171,10 @@ Result<Bodies> read_mesh(const std::string& file, const std::optional<std::strin
   if (read->solid.empty()) {
     return Error{ErrorCode::NotClosed, "bounds nothing: none of its faces has an area", in_file(file)};
   }
-  for (const solid::OppositeFaces& faces : read->opposite) {
-    base::Place place = in_file(file);
-    place.x = faces.at.x;
-    place.y = faces.at.y;
-    place.z = faces.at.z;
-    findings.push_back({"opposite_faces", solid::message(faces), place});
-  }
+  for (const solid::OppositeFaces& faces : read->opposite)
+    findings.push_back({"opposite_faces", solid::message(faces), in_file_at(file, faces.at)});
+  if (read->warped)
+    findings.push_back({"not_plane", solid::message(*read->warped), in_file_at(file, read->warped->at)});
   return Bodies{{{Path(file).stem().string(), std::move(read->solid)}}};
 }
 
@@ -227,16 +224,34 @@ Result<Contact> combine_bodies(std::vector<Bodies::Body>& bodies, std::span<cons
   return most;
 }
 
-Result<Solid> together(const std::vector<Bodies::Body>& bodies) {
+/// Bodies that have volume in common, each pair a finding: united, what is in both counts once.
+Result<void> tell_overlaps(const std::vector<Bodies::Body>& bodies, std::span<const Solid> solids,
+                           const std::string& file, std::vector<Finding>& findings) {
+  DOBRA_TRY(const auto overlaps, solid::overlaps(solids));
+  for (const solid::Overlap& overlap : overlaps) {
+    findings.push_back({"overlap",
+                        fmt::format("'{}' and '{}' overlap: {:.6g} m3 are in both; volume and area are those of all "
+                                    "bodies united, which count it once",
+                                    bodies[overlap.first].material, bodies[overlap.second].material, overlap.volume),
+                        in_file_at(file, overlap.at)});
+  }
+  return {};
+}
+
+/// All bodies of a file as one solid; those that overlap are told.
+Result<Solid> together(const std::vector<Bodies::Body>& bodies, const std::string& file,
+                       std::vector<Finding>& findings) {
   if (bodies.size() == 1) return bodies[0].solid;
   std::vector<Solid> solids;
   for (const Bodies::Body& body : bodies) solids.push_back(body.solid);
   DOBRA_TRY(solid::Combined combined, solid::combine(solids, Operation::Union));
+  if (combined.contact == Contact::Volume) DOBRA_TRY_VOID(tell_overlaps(bodies, solids, file, findings));
   return std::move(combined.solid);
 }
 
 /// Applies the steps; those of one kind that follow each other at once.
-Result<void> apply(const std::vector<Step>& steps, std::span<const Solid> solids, Session& session, Outcome& outcome) {
+Result<void> apply(const std::vector<Step>& steps, std::span<const Solid> solids, Session& session,
+                   const std::string& file, Outcome& outcome) {
   for (std::size_t first = 0; first < steps.size();) {
     DOBRA_TRY_VOID(session.check());
     std::vector<std::string> files;
@@ -250,18 +265,42 @@ Result<void> apply(const std::vector<Step>& steps, std::span<const Solid> solids
     if (auto finding = contact_finding(contact, empty, named)) outcome.findings.push_back(std::move(*finding));
     first = end;
   }
-  DOBRA_TRY(outcome.solid, together(outcome.bodies));
+  DOBRA_TRY(outcome.solid, together(outcome.bodies, file, outcome.findings));
   return {};
 }
 
 /// Faces as the format of the file can hold them.
-Result<solid::ToMesh> faces_for(const std::string& file, const Solid& solid) {
+Result<solid::SettledMesh> faces_for(const std::string& file, const Solid& solid) {
   const std::size_t most = io::formats::most_corners(file);
-  if (most <= 3) return solid::to_mesh(solid, solid::FacesAs::Triangles);
-  DOBRA_TRY(solid::ToMesh faces, solid::to_mesh(solid));
+  if (most <= 3) return solid::settle(solid, {.as = solid::FacesAs::Triangles});
+  DOBRA_TRY(solid::SettledMesh faces, solid::settle(solid));
   const bool fits = std::all_of(faces.mesh.faces.begin(), faces.mesh.faces.end(),
                                 [&](const auto& face) { return face.size() <= most; });
-  return fits ? Result<solid::ToMesh>(std::move(faces)) : solid::to_mesh(solid, solid::FacesAs::Triangles);
+  return fits ? Result<solid::SettledMesh>(std::move(faces)) : solid::settle(solid, {.as = solid::FacesAs::Triangles});
+}
+
+/// What rounding did to the boundary that is written; nothing to tell where it did nothing.
+std::optional<Finding> rounding_finding(const solid::SettledMesh& faces, const Solid& exact, const std::string& file) {
+  if (faces.displacement == 0.0) return std::nullopt;
+  Finding finding{
+      "written_rounded",
+      fmt::format("corners were rounded to the nearest numbers in the file, by {:.3g} m at most", faces.displacement),
+      in_file(file)};
+  if (faces.merged > 0) {
+    finding.message = fmt::format(
+        "corners were rounded to the nearest numbers in the file, and so that faces do not cross by that, {} "
+        "of them became one with another or were led onto an edge: the boundary moved by {:.3g} m at most",
+        faces.merged, faces.displacement);
+  }
+  if (faces.at) finding.place = in_file_at(file, *faces.at);
+  const solid::Counts counts = exact.counts();
+  if (faces.counts.shells != counts.shells || faces.counts.handles != counts.handles) {
+    finding.message += fmt::format(
+        "; what is thinner than that is gone: shells {} and genus {} in the file, {} and {} of "
+        "the result",
+        faces.counts.shells, faces.counts.handles, counts.shells, counts.handles);
+  }
+  return finding;
 }
 
 /// The result as faces of the format, with what rounding to doubles did to it.
@@ -270,14 +309,9 @@ Result<void> write_out(Session& session, const Path& out, Outcome& outcome) {
     outcome.findings.push_back({"empty", "the result is empty; no file is written", {}});
     return {};
   }
-  DOBRA_TRY(const solid::ToMesh faces, faces_for(out.string(), outcome.solid));
-  if (faces.displacement > 0.0) {
-    outcome.findings.push_back(
-        {"written_rounded",
-         fmt::format("corners were rounded to the nearest numbers in the file, by {:.3g} m at most",
-                     faces.displacement),
-         in_file(out.string())});
-  }
+  DOBRA_TRY(const solid::SettledMesh faces, faces_for(out.string(), outcome.solid));
+  if (auto finding = rounding_finding(faces, outcome.solid, out.string()))
+    outcome.findings.push_back(*std::move(finding));
   if (faces.flaw) {
     outcome.findings.push_back(
         {"written_flawed", fmt::format("by that rounding the file no longer bounds a solid: {}", faces.flaw->message),
@@ -370,8 +404,9 @@ Result<void> check_options(const SolidOptions& options, const std::vector<Step>&
   return {};
 }
 
-Result<int> solid_job(Session& session, const SolidCommand& program, const SolidOptions& options,
-                      const std::vector<Step>& steps) {
+Result<int> solid_job(Session& session, const SolidCommand& program, const CLI::App& app, SolidOptions& options) {
+  DOBRA_TRY(const std::vector<Step> steps, steps_of(app, options));
+  DOBRA_TRY(options.extras, options.extra_options.read());
   DOBRA_TRY_VOID(check_options(options, steps));
   Outcome outcome;
   std::vector<Solid> solids;
@@ -384,10 +419,11 @@ Result<int> solid_job(Session& session, const SolidCommand& program, const Solid
   for (const Step& step : steps) {
     DOBRA_TRY_VOID(session.check());
     DOBRA_TRY(const Bodies other, read(step.file, "", step.matrix));
-    DOBRA_TRY(Solid solid, together(other.bodies));
+    DOBRA_TRY(Solid solid, together(other.bodies, step.file, outcome.findings));
     solids.push_back(std::move(solid));
   }
-  DOBRA_TRY_VOID(timed(outcome.seconds.boolean, [&] { return apply(steps, solids, session, outcome); }));
+  DOBRA_TRY_VOID(
+      timed(outcome.seconds.boolean, [&] { return apply(steps, solids, session, options.file.string(), outcome); }));
   if (options.extras.octree) {
     DOBRA_TRY(outcome.octree, octree_json(outcome.bodies, *options.extras.octree));
   }
@@ -441,9 +477,7 @@ Command solid_command(SolidCommand program) {
             const auto options = std::make_shared<SolidOptions>();
             add_options(app, program, *options);
             return [program, options, &app](Session& session) -> Result<int> {
-              DOBRA_TRY(const std::vector<Step> steps, steps_of(app, *options));
-              DOBRA_TRY(options->extras, options->extra_options.read());
-              auto done = solid_job(session, program, *options, steps);
+              auto done = solid_job(session, program, app, *options);
               if (!done) DOBRA_TRY_VOID(tell_refusal(session, done.error()));
               return done;
             };

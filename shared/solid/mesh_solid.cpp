@@ -15,6 +15,7 @@
 #include "shared/mesh/polygon_lists.h"
 #include "shared/solid/assemble.h"
 #include "shared/solid/triangulate.h"
+#include "shared/solid/warp.h"
 
 namespace dobra::solid {
 namespace {
@@ -58,6 +59,7 @@ class Reader {
 
   base::Result<Taken> run() {
     DOBRA_TRY_VOID(check_corners());
+    flat_ = 1e-9 * diagonal_of(mesh_.points);
     for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) DOBRA_TRY_VOID(add_face(f));
     soup_.inner = {Inner::Searched};
     const std::vector<BoxTree> trees{BoxTree(soup_, 0, static_cast<std::uint32_t>(soup_.facets.size()))};
@@ -66,16 +68,19 @@ class Reader {
     const Fans round = fans(soup_, cells);
     if (const auto half = open_half(soup_, cells, round)) return open_error(cells, round, *half);
     const Sides windings = sides(soup_, cells, round, trees);
-    DOBRA_TRY_VOID(check_windings(found, cells, windings));
+    const auto checked = check_windings(found, cells, windings);
+    if (!checked && options_.crossings == Crossings::Refused) return checked.error();
     std::vector<char> inside;
-    for (const Windings& kind : windings.kinds) inside.push_back(kind.empty() ? 0 : 1);
+    for (const Windings& kind : windings.kinds) inside.push_back(!kind.empty() && kind[0].second > 0 ? 1 : 0);
     if (nothing_ == Nothing::Refused && std::count(inside.begin(), inside.end(), 1) == 0) {
       for (const Cell& cell : cells.cells) {
         if (const auto covers = cells.covers_of(cell); covers.size() > 1) return nothing_error(cells, cell, covers);
       }
     }
-    std::vector<OppositeFaces> opposite = opposite_faces(cells, windings, inside);
-    return Taken{Solid(assemble(soup_, found, cells, round, windings, inside, std::move(names_))), std::move(opposite)};
+    std::vector<OppositeFaces> opposite;
+    if (checked) opposite = opposite_faces(cells, windings, inside);
+    return Taken{Solid(assemble(soup_, found, cells, round, windings, inside, std::move(names_))), std::move(opposite),
+                 warped_, !checked};
   }
 
  private:
@@ -164,6 +169,8 @@ class Reader {
   }
 
   base::Result<void> add_warped(std::uint32_t f, Loops& loops) {
+    note_warped(f, loops[0]);
+    const bool turned = begin_alike(soup_.space, loops);
     std::vector<Point3> points;
     for (const PointId p : loops[0]) points.push_back(soup_.space.rounded(p));
     const Point3 n = mesh::newell_area(points);
@@ -178,12 +185,19 @@ class Reader {
     for (std::size_t l = 1; l < loops.size(); ++l) {
       if (runs_left(soup_.space, onto, loops[l])) std::reverse(loops[l].begin(), loops[l].end());
     }
-    const auto triangles = triangulate(soup_.space, onto, loops);
+    auto triangles = triangulate(soup_.space, onto, loops);
     if (!triangles) return crossing_error(f, loops, onto);
-    for (const auto& t : *triangles) {
+    for (auto& t : *triangles) {
+      if (turned) std::swap(t[1], t[2]);
       if (!soup_.space.collinear(t[0], t[1], t[2])) add_facet(f, {{t[0], t[1], t[2]}}, t);
     }
     return {};
+  }
+
+  void note_warped(std::uint32_t f, const std::vector<PointId>& loop) {
+    std::vector<Point3> points;
+    for (const PointId p : loop) points.push_back(soup_.space.rounded(p));
+    if (const auto own = warp_of(points, flat_)) add_warp(warped_, f, *own);
   }
 
   [[nodiscard]] Error crossing_error(std::uint32_t f, const Loops& loops, Projection onto) const {
@@ -322,6 +336,8 @@ class Reader {
   Nothing nothing_;
   Soup soup_;
   std::vector<std::uint32_t> face_;  // of each facet, the face of the mesh
+  double flat_ = 0.0;                // a face is plane where no corner is farther off
+  std::optional<WarpedFaces> warped_;
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
 };
@@ -348,6 +364,13 @@ std::optional<Error> turn_error(const mesh::PolygonMesh& mesh) {
 }
 
 }  // namespace
+
+std::string message(const WarpedFaces& faces) {
+  return fmt::format(
+      "faces that are not plane and were cut into triangles: {}; face {} has the corner that is farthest "
+      "off, {:.3g} m; cut otherwise, the volume would differ by {:.3g} m3 at most",
+      faces.count, faces.face, faces.distance, faces.volume);
+}
 
 std::string message(const OppositeFaces& faces) {
   const char* what = faces.inside
@@ -428,9 +451,6 @@ base::Result<ToMesh> to_mesh(const Solid& solid, FacesAs as) {
     }
     for (const auto& t : *triangles) add(t);
   }
-  FromMeshOptions options;
-  options.face_names = out.names;
-  if (const auto back = from_mesh(out.mesh, options); !back) out.flaw = back.error();
   return out;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // Polygon meshes become solids, and solids meshes. A mesh is taken as it stands: nothing is moved, equal places are
 // one, faces that are not exactly plane are cut into triangles, faces without area are left out. What is not the
-// boundary of a solid is refused with the faces and the place. Page: docs/algorithms/boolean.md.
+// boundary of a solid is refused with the faces and the place. Meshes to be written are made by settle.h. Page:
+// docs/algorithms/boolean.md.
 
 #include <optional>
 #include <string>
@@ -13,10 +14,17 @@
 
 namespace dobra::solid {
 
+/// What becomes of faces that cross, or bound a region twice or from the wrong side.
+enum class Crossings : std::uint8_t {
+  Refused,
+  Resolved  ///< They are cut where they meet, and inside is what is surrounded once or more.
+};
+
 struct FromMeshOptions {
-  std::string name;                     ///< Of faces that have none of their own.
-  std::vector<std::string> face_names;  ///< One for each face of the mesh, or empty. Neighbours in one plane with
-                                        ///< names that differ stay two faces.
+  std::string name;                          ///< Of faces that have none of their own.
+  std::vector<std::string> face_names = {};  ///< One for each face of the mesh, or empty. Neighbours in one plane with
+                                             ///< names that differ stay two faces.
+  Crossings crossings = Crossings::Refused;
 };
 
 /// Parts of the mesh may touch in faces' corners, in edges and in vertices, and lie in each other's cavities, turned
@@ -45,11 +53,25 @@ struct OppositeFaces {
 /// One line without the place.
 std::string message(const OppositeFaces& faces);
 
+/// Faces whose corners lie off their mean planes by more than 1e-9 of the mesh's diagonal. They are cut into triangles
+/// in a way that depends neither on the corner they begin with nor on which way they run.
+struct WarpedFaces {
+  std::size_t count = 0;
+  std::uint32_t face = 0;  ///< The one of them with the corner that is farthest off.
+  double distance = 0.0;   ///< Of that corner from the mean plane, m.
+  geom::Point3 at;         ///< That corner.
+  double volume = 0.0;     ///< By how much the volume may differ where all of them are cut otherwise, at most, m3.
+};
+/// One line without the place.
+std::string message(const WarpedFaces& faces);
+
 struct Taken {
   Solid solid;
-  std::vector<OppositeFaces> opposite;  ///< By number of `face`.
+  std::vector<OppositeFaces> opposite = {};  ///< By number of `face`.
+  std::optional<WarpedFaces> warped = {};
+  bool resolved = false;  ///< Crossings::Resolved had something to do.
 };
-/// from_mesh() and from_loops() with what they leave out.
+/// from_mesh() and from_loops() with what they leave out and cut.
 base::Result<Taken> take(const mesh::PolygonMesh& mesh, const FromMeshOptions& options = {});
 base::Result<Taken> take(const FaceLoops& mesh, const FromMeshOptions& options = {});
 
@@ -57,8 +79,6 @@ struct ToMesh {
   mesh::PolygonMesh mesh;
   std::vector<std::string> names;  ///< Of each face.
   double displacement = 0.0;       ///< The farthest that rounding to doubles moved a vertex at most, m; 0 if none was.
-  /// What the rounded mesh is not: the message of from_mesh() about it; none if it is a solid's boundary.
-  std::optional<base::Error> flaw;
 };
 
 /// What faces become.
@@ -67,8 +87,9 @@ enum class FacesAs : std::uint8_t {
   Triangles
 };
 
+/// Every face as it is, rounded: where faces nearly touch, they may cross by that.
 /// @error CannotMesh if a face cannot be cut into triangles.
-/// @cost  that of from_mesh(), which looks at the result; O(m^2) at worst for a face of m corners that is cut.
+/// @cost  O(n); O(m^2) at worst for a face of m corners that is cut.
 base::Result<ToMesh> to_mesh(const Solid& solid, FacesAs as = FacesAs::Polygons);
 
 }  // namespace dobra::solid

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <tuple>
 #include <unordered_map>
 
 #include "shared/base/parallel.h"
 #include "shared/solid/contacts.h"
 #include "shared/solid/plane_crossing.h"
+#include "shared/topo/adjacency.h"
 #include "shared/topo/insert.h"
 
 namespace dobra::solid {
@@ -47,6 +49,7 @@ class Areas {
   /// Sets SectionArea, and takes out the edges that have the same on both sides.
   void finish() {
     spread();
+    find_overlaps();
     std::vector<topo::EdgeId> idle;
     for (const topo::EdgeId e : plane_.edges()) {
       const topo::HalfEdgeId h = topo::Subdivision::half_edge(e);
@@ -58,7 +61,34 @@ class Areas {
     for (const topo::EdgeId e : idle) DOBRA_CHECK(topo::remove(plane_, e).ok());
   }
 
+  [[nodiscard]] std::vector<SectionOverlap> overlaps() const {
+    std::vector<SectionOverlap> all;
+    for (const auto& [pair, overlap] : overlaps_) all.push_back(overlap);
+    return all;
+  }
+
  private:
+  void find_overlaps() {
+    geom::Box box;
+    for (const topo::VertexId v : plane_.vertices()) box.add(plane_.point(v));
+    const double least = 1e-12 * box.diagonal() * box.diagonal();
+    for (const topo::FaceId f : plane_.faces()) {
+      const auto& numbers = numbers_[f.index()];
+      const auto covers = [&](std::uint32_t s) { return numbers[s] > 0; };
+      const std::uint32_t first = area_of(f);
+      if (first == none) continue;
+      for (std::uint32_t second = first + 1; second < solids_; ++second) {
+        if (!covers(second)) continue;
+        const double area = topo::area(plane_, f);
+        if (!(area > least)) continue;
+        const geom::Point at = plane_.point(plane_.origin(plane_.half_edges(plane_.loops(f).front()).front()));
+        SectionOverlap& told =
+            overlaps_.try_emplace({first, second}, SectionOverlap{first, second, 0.0, at}).first->second;
+        told.area += area;
+      }
+    }
+  }
+
   struct Step {
     std::uint32_t solid;
     int left;              // to the left of half_edge(e) it is surrounded so often more
@@ -104,6 +134,7 @@ class Areas {
   std::vector<Step> steps_;
   std::vector<std::uint32_t> last_of_;     // of each edge, the last of its steps
   std::vector<std::vector<int>> numbers_;  // of each face, how often each solid surrounds it
+  std::map<std::pair<std::uint32_t, std::uint32_t>, SectionOverlap> overlaps_;
   std::vector<std::uint32_t> areas_;
 };
 
@@ -446,6 +477,7 @@ base::Result<Section> Sections::cut(const CutPlane& plane) const {
     }
   }
   areas.finish();
+  out.overlaps = areas.overlaps();
   return out;
 }
 

@@ -40,8 +40,16 @@ struct SectionLine {
   std::vector<std::string> names;
 };
 
+/// Two solids that cover the same of the plane; the section shows the first.
+struct SectionOverlap {
+  std::uint32_t first, second;  ///< Their indices.
+  double area = 0.0;            ///< m2.
+  geom::Point at;               ///< A corner of it.
+};
+
 struct Section {
   SectionFrame frame;
+  std::vector<SectionOverlap> overlaps;  ///< One for each pair, but for slivers of 1e-12 of the diagonal squared.
   topo::Subdivision plane;  ///< Places rounded to doubles; faces without SectionArea are outside all solids.
   /// No solid is cut.
   [[nodiscard]] bool empty() const { return plane.edge_count() == 0; }

@@ -164,13 +164,19 @@ class TextBody {
   explicit TextBody(Records& records) : records_(records) {}
   Result<void> begin(const Element& element, std::size_t i) {
     word_ = 0;
-    return records_.expect(fmt::format("{} {} of {}", element.name, i + 1, element.count));
+    record_ = fmt::format("{} {} of {}", element.name, i + 1, element.count);
+    return records_.expect(record_);
   }
   Result<double> real(const Property& property) { return records_.number(word_++, property.name); }
   /// At most as many as the line still has words.
   Result<std::size_t> list_size(const Property&) {
-    const std::size_t at = word_++;
-    return records_.count(at, "the number of corners", at < records_.size() ? records_.size() - at - 1 : 0);
+    DOBRA_TRY(const std::size_t count, records_.count(word_++, "the number of corners", most_items));
+    const std::size_t left = records_.size() - word_;
+    if (count <= left) return count;
+    return records_.error(records_.size(),
+                          fmt::format("{} has {} corners, and the line ends after {} of them; the file may "
+                                      "have been cut short",
+                                      record_, count, left));
   }
   Result<std::size_t> corner(Number) { return records_.count(word_++, "the corner", most_items); }
   Result<void> skip(Number, std::size_t times) {
@@ -189,6 +195,7 @@ class TextBody {
  private:
   Records& records_;
   std::size_t word_ = 0;
+  std::string record_;  ///< "face 3 of 12".
 };
 
 /// The records of a binary file: bytes one after another.

@@ -96,7 +96,13 @@ Result<PolygonMesh> parse_off(std::string_view text, const std::string& file) {
   }
   for (std::size_t f = 0; f < faces; ++f) {
     DOBRA_TRY_VOID(records.expect(fmt::format("face {} of {}", f + 1, faces)));
-    DOBRA_TRY(const std::size_t corners, records.count(0, "the number of corners", records.size() - 1));
+    DOBRA_TRY(const std::size_t corners, records.count(0, "the number of corners", most_items));
+    if (corners > records.size() - 1) {
+      return records.error(records.size(),
+                           fmt::format("face {} of {} has {} corners, and the line ends after {} of them; "
+                                       "the file may have been cut short",
+                                       f + 1, faces, corners, records.size() - 1));
+    }
     std::vector<std::uint32_t>& face = mesh.faces.emplace_back();
     for (std::size_t i = 1; i <= corners; ++i) {
       DOBRA_TRY(const std::size_t corner, records.count(i, "the corner", most_items));

@@ -6,6 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "shared/solid/settle.h"
+
 namespace dobra::solid::csg {
 
 using base::Result;
@@ -69,6 +71,7 @@ Result<Evaluated> place_shape(shape::Shape made, const Matrix& matrix) {
   DOBRA_TRY(Taken taken, take(made.mesh, options));
   out.solid = std::move(taken.solid);
   out.opposite = std::move(taken.opposite);
+  out.warped = taken.warped;
   if (out.solid.empty() && out.rounded > 0) {
     return base::Error{base::ErrorCode::InvalidOption,
                        "nothing is left where it is placed, as coordinates are rounded there: place it nearer to the "
@@ -84,7 +87,7 @@ Result<Evaluated> place_solid(Solid solid, const Matrix& matrix) {
     out.solid = std::move(solid);
     return out;
   }
-  DOBRA_TRY(ToMesh mesh, to_mesh(solid));
+  DOBRA_TRY(SettledMesh mesh, settle(solid));
   if (mesh.flaw) return *mesh.flaw;
   shape::Shape made{{std::move(mesh.mesh.points), {}}, std::move(mesh.names)};
   for (auto& face : mesh.mesh.faces) made.mesh.faces.push_back({std::move(face)});

@@ -39,6 +39,7 @@ struct Evaluated {
   /// What operations that left nothing, or whose operands do not overlap, had in common, in the order of evaluation.
   std::vector<std::pair<Operation, Contact>> contacts;
   std::vector<OppositeFaces> opposite;  ///< What the shape leaves out, where it was placed; of a leaf alone.
+  std::optional<WarpedFaces> warped;    ///< What of it is not plane, where it was placed; of a leaf alone.
 };
 
 /// Remembers results; thread-safe.

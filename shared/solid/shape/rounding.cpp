@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "shared/solid/section.h"
+#include "shared/solid/boolean.h"
+#include "shared/solid/shape/convex_cutter.h"
 
 namespace dobra::solid::shape {
 namespace {
@@ -96,6 +98,18 @@ std::vector<Vector3> new_normals(const Solid& solid, const std::vector<Side>& si
   return normals;
 }
 
+/// Neighbours in one plane, of different names.
+bool has_flat_edges(const Solid& solid) {
+  const auto& across = solid.boundary().soup.across;
+  return std::any_of(across.begin(), across.end(), [](PlaneId plane) { return !plane.valid(); });
+}
+
+/// Where several faces of the solid lie in one plane, the rounded one has one face for them all.
+Result<Solid> with_its_faces(const Solid& solid, const Solid& rounded) {
+  DOBRA_TRY(Combined both, combine(std::array{solid, rounded}, Operation::Intersection));
+  return std::move(both.solid);
+}
+
 }  // namespace
 
 Result<Solid> round_convex(const Solid& solid, const RoundOptions& options) {
@@ -113,30 +127,27 @@ Result<Solid> round_convex(const Solid& solid, const RoundOptions& options) {
     const Vector3 n = normalised(solid.space().rough_normal(solid.boundary().soup.facets[f].plane));
     sides.push_back({n, height_of(corners, n)});
   }
+  double size = options.radius;
+  for (const Point3 p : corners) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const double reach = 4.0 * size;
   // Where the centre of the ball can be.
-  Solid core = solid;
-  for (const Side& side : sides) {
-    if (core.empty()) break;
-    const CutPlane inner{side.normal.x, side.normal.y, side.normal.z, options.radius - side.height};
-    DOBRA_TRY(Halves halves, halve(core, inner));
-    core = std::move(halves.below);
-  }
-  const std::vector<Point3> centres = points_of(core);
-  double size = 0.0;
-  for (const Side& side : sides) size = std::max({size, std::abs(side.height), options.radius});
+  ConvexCutter core(reach);
+  for (const Side& side : sides)
+    core.cut(CutPlane{side.normal.x, side.normal.y, side.normal.z, options.radius - side.height}, "");
+  const std::vector<Point3> centres = core.corners();
   for (std::uint32_t f = 0; f < sides.size(); ++f) {
     if (!core.empty() && height_of(centres, sides[f].normal) + options.radius >= sides[f].height - 1e-9 * size)
       continue;
     return Error{ErrorCode::InvalidOption, fmt::format("radius {} is too large: nothing would be left of face '{}'",
                                                        options.radius, solid.name(FaceId(f)))};
   }
-  Solid rounded = solid;
-  for (const Vector3 n : new_normals(solid, sides, options.segments)) {
-    const double height = height_of(centres, n) + options.radius;
-    DOBRA_TRY(Halves halves, halve(rounded, {n.x, n.y, n.z, -height}, options.name));
-    rounded = std::move(halves.below);
-  }
-  return rounded;
+  const Soup& soup = solid.boundary().soup;
+  ConvexCutter rounded(reach);
+  for (std::uint32_t f = 0; f < solid.face_count(); ++f)
+    rounded.cut(soup.space.plane(soup.facets[f].plane), solid.name(FaceId(f)));
+  for (const Vector3 n : new_normals(solid, sides, options.segments))
+    rounded.cut(CutPlane{n.x, n.y, n.z, -(height_of(centres, n) + options.radius)}, options.name);
+  return has_flat_edges(solid) ? with_its_faces(solid, rounded.solid()) : rounded.solid();
 }
 
 }  // namespace dobra::solid::shape

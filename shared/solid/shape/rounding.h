@@ -19,7 +19,7 @@ struct RoundOptions {
 /// spheres: its volume falls to the true one as segments^-2. The faces stay where they are.
 /// @error InvalidOption: empty, several shells, a notch (with its place), radius or segments out of range, or a radius
 ///        so large that a face disappears (with its name).
-/// @cost  O(planes * n log n) for segments^2 planes a corner
+/// @cost  O(planes * corners of the solid) for segments^2 planes a corner
 base::Result<Solid> round_convex(const Solid& solid, const RoundOptions& options);
 
 }  // namespace dobra::solid::shape
