@@ -108,8 +108,8 @@ class ChartSpace final : public dobra::mesh::delaunay::DelaunayKernel::FlipRule 
   }
   /// While cells are large beside the bends of the surface: the chart decides of those over which it turns.
   void coarse() { coarse_ = true; }
-  /// Whether a side is flipped too where less of the area beside it looks against the surface afterwards. Each such flip
-  /// takes away a tenth of that area at least.
+  /// Whether a side is flipped too where less of the area beside it looks against the surface afterwards, by a tenth
+  /// at least.
   void favour_unfolded(bool yes) { unfolding_ = yes; }
   /// Makes the kernel flip sides by this space's rule.
   void rule() { kernel_->set_rule(this); }

@@ -16,7 +16,8 @@ bool is_folded(const Kernel& kernel, const ChartSpace& space, Cell cell) {
   const geom::Vector3 area = cross(space.at(b) - space.at(a), space.at(c) - space.at(a));
   // Of most triangles the normals of the nodes tell enough.
   const double little = 0.25 * geom::length(area);
-  if (std::min({dot(area, space.frame(a)), dot(area, space.frame(b)), dot(area, space.frame(c))}) > little) return false;
+  if (std::min({dot(area, space.frame(a)), dot(area, space.frame(b)), dot(area, space.frame(c))}) > little)
+    return false;
   return dot(area, space.frame_in_middle(a, b, c)) < 0.0;
 }
 

@@ -18,7 +18,9 @@ using namespace dobra;
 
 struct Waves {
   double height, along_x, along_y;
-  [[nodiscard]] std::string formula() const { return fmt::format("{} * sin({} * x) * cos({} * y)", height, along_x, along_y); }
+  [[nodiscard]] std::string formula() const {
+    return fmt::format("{} * sin({} * x) * cos({} * y)", height, along_x, along_y);
+  }
   /// Over [low, high] x [low, high], by the midpoint rule of the slopes by hand.
   [[nodiscard]] double area(double low, double high) const {
     constexpr int n = 500;
