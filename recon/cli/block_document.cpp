@@ -81,7 +81,8 @@ Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document d
     remarks.push_back({"section_remark", remark, std::move(place)});
   }
   const auto with_remarks = [&](block::Block block) {
-    std::erase_if(remarks, [&](const base::Finding& remark) { return is_told(remark.place, block.findings); });
+    std::erase_if(remarks,
+                  [&](const base::Finding& remark) { return recon::block::is_told(remark.place, block.findings); });
     block.findings.insert(block.findings.begin(), remarks.begin(), remarks.end());
     return block;
   };
