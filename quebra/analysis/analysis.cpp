@@ -269,7 +269,7 @@ std::optional<std::string> flat_elements(const Analysis& analysis) {
   for (const mesh::NodeId node : corners) sum = sum + (m.point(node) - dobra::geom::Point{});
   const dobra::geom::Point at = dobra::geom::Point{} + sum / static_cast<double>(corners.size());
   return fmt::format(
-      "{} of {} elements are nearly flat, the worst at ({:.6g}, {:.6g}) with shape {:.2g} (1 is best, below {} is "
+      "nearly flat elements: {} of {}, the worst at ({:.6g}, {:.6g}) with shape {:.2g} (1 is best, below {} is "
       "poor): stresses there are not to be trusted; take a smaller size there, a greater `narrow`, or divide the "
       "curves more evenly (`segments`)",
       count, m.element_count(), at.x, at.y, least, poor_shape);

@@ -79,8 +79,8 @@ Result<model::Model> with_samples(const model::Model& model, model::Samples samp
   }
   model::Model result = model;
   if (const std::size_t outside = samples.points.size() - static_cast<std::size_t>(inside); outside > 0) {
-    result.remarks.push_back(fmt::format("line '{}': {} of its {} points lie outside the material and are left out",
-                                         samples.name, outside, samples.points.size()));
+    result.remarks.push_back(fmt::format("line '{}': points outside the material are left out: {} of {}", samples.name,
+                                         outside, samples.points.size()));
   }
   result.samples.push_back(std::move(samples));
   return result;

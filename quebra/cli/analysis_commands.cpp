@@ -25,6 +25,7 @@
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/scenario/runner.h"
 #include "shared/scenario/table_text.h"
 #include "shared/scenario/units.h"
@@ -58,12 +59,10 @@ bool has_step(const scenario::Document& document, const std::string& operation) 
 /// "x0,y0,x1,y1" as points.
 Result<std::vector<geom::Point>> points_in(const std::string& option, const std::string& text, std::size_t count) {
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value = base::parse_number(text.substr(begin, end - begin));
+  for (const std::string& word : dobra::io::formats::words_between_commas(text)) {
+    const auto value = base::parse_number(base::trimmed(word));
     if (!value) break;
     numbers.push_back(*value);
-    begin = end + 1;
   }
   std::vector<geom::Point> points;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});

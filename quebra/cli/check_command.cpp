@@ -118,7 +118,7 @@ std::vector<std::string> lone_nodes(const mesh::ElementMesh& mesh) {
   if (lone == 0) return {};
   const geom::Point first =
       mesh.points[static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin())];
-  return {fmt::format("{} of {} nodes belong to no element, the first at {}, {}; the file may be cut short", lone,
+  return {fmt::format("nodes that belong to no element: {} of {}, the first at {}, {}; the file may be cut short", lone,
                       used.size(), first.x, first.y)};
 }
 

@@ -44,8 +44,8 @@ Finding empty_section(Contact contact) {
   if (contact == Contact::Nothing)
     return {"cut_misses", "--cut: the plane misses the solid; the section is empty and no file is written", {}};
   return {fmt::format("cut_touches_{}", solid::name(contact)),
-          fmt::format("--cut: the plane only touches the solid, in a {}; the section is empty and no file is written",
-                      solid::name(contact)),
+          fmt::format("--cut: the plane only touches the solid, in {} {}; the section is empty and no file is written",
+                      contact == Contact::Edge ? "an" : "a", solid::name(contact)),
           {}};
 }
 
@@ -89,7 +89,7 @@ Result<Bodies> part_of_scenario(Session& session, const std::filesystem::path& f
     DOBRA_TRY(solid::csg::Evaluated placed, solid::csg::Evaluator().evaluate(solid::csg::placed(body.tree, numbers)));
     if (placed.rounded > 0)
       findings.push_back({"placed_rounded",
-                          fmt::format("{} points were rounded to the nearest numbers when they were placed; faces "
+                          fmt::format("points ({}) were rounded to the nearest numbers when they were placed; faces "
                                       "that are no longer plane are cut into triangles",
                                       placed.rounded),
                           place});

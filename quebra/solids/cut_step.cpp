@@ -105,7 +105,7 @@ NextModel cut_to_domain(const model::Model& model, const CutParams& params, cons
   const double unit = context.units.to_si(1.0, "m");
   DOBRA_TRY(next.domain, domain::make_domain(std::move(sketch), {}));
   next.domain.unit = unit;
-  next.remarks.push_back(fmt::format("the section has {} pieces and {} curves", cap.regions.size(), cap.lines.size()));
+  next.remarks.push_back(fmt::format("pieces of the section: {}, curves: {}", cap.regions.size(), cap.lines.size()));
   if (contact.in_face) next.remarks.push_back(cut_in_face);
   for (const solid::SectionOverlap& overlap : section.overlaps) {
     if (materials[overlap.first] == materials[overlap.second]) continue;

@@ -80,7 +80,7 @@ Result<model::Model> with_part(const model::Model& model, Part part, Places plac
     empty = empty && body.solid.empty();
   }
   if (rounded > 0 && places != Places::No) {
-    next.remarks.push_back(fmt::format("{}: {} points were rounded to the nearest numbers when they were placed",
+    next.remarks.push_back(fmt::format("{}: points ({}) were rounded to the nearest numbers when they were placed",
                                        label(part.name), rounded));
   }
   if (empty) next.remarks.push_back(fmt::format("{} is empty", label(part.name)));
@@ -144,7 +144,8 @@ Result<std::vector<const Part*>> parts_of(const model::Model& model, const std::
     }
   }
   if (found.size() < least)
-    return Error{ErrorCode::BadValue, fmt::format("`of` names {} parts; {} or more are needed", found.size(), least)};
+    return Error{ErrorCode::BadValue,
+                 fmt::format("`of` names too few parts, {}; {} or more are needed", found.size(), least)};
   return found;
 }
 

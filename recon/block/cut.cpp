@@ -89,10 +89,19 @@ Finding beside_finding() {
 }
 
 Finding empty_finding(Contact contact) {
-  if (contact == Contact::Nothing) return {"cut_misses", "the plane misses the block; the section is empty", {}};
-  return {fmt::format("cut_touches_{}", dobra::solid::name(contact)),
-          fmt::format("the plane only touches the block, in a {}; the section is empty", dobra::solid::name(contact)),
-          {}};
+  const std::string code = fmt::format("cut_touches_{}", dobra::solid::name(contact));
+  switch (contact) {
+    case Contact::Vertex:
+      return {code, "the plane only touches the block, in a vertex; the section is empty", {}};
+    case Contact::Edge:
+      return {code, "the plane only touches the block, in an edge; the section is empty", {}};
+    case Contact::Face:
+      return {code, "the plane only touches the block, in a face; the section is empty", {}};
+    case Contact::Nothing:
+    case Contact::Volume:
+      break;
+  }
+  return {"cut_misses", "the plane misses the block; the section is empty", {}};
 }
 
 /// Whether a border is drawn round a section that none is named in.
@@ -106,7 +115,12 @@ class SectionMaker {
 
   Section make(const dobra::solid::Cap& cap, Border border, std::vector<Finding>& findings) {
     for (const Sheet& sheet : block_.sheets) add(sheet);
-    if (block_.sheets.empty()) add_faces(block::lines_of(cap, frame_), border, findings);
+    if (block_.sheets.empty() || border == Border::Always) {
+      CapLines faces = block::lines_of(cap, frame_);
+      if (!section_.border && (border == Border::Always || faces.named.contains("border")))
+        add_border(loops_within(faces.border, frame_.strip));
+      if (block_.sheets.empty()) add_faces(std::move(faces), findings);
+    }
     add_rails();
     section_.colors = block_.section.colors;
     set_ends();
@@ -185,7 +199,7 @@ class SectionMaker {
   }
 
   /// Lines of the faces between sections go as in the section in front.
-  void add_faces(CapLines faces, Border border, std::vector<Finding>& findings) {
+  void add_faces(CapLines faces, std::vector<Finding>& findings) {
     std::vector<std::string> lost;
     const auto add_named = [&](Origin origin, std::size_t index, const std::string& name, const std::string& shown) {
       std::vector<geom::Polyline> lines;
@@ -215,8 +229,6 @@ class SectionMaker {
       }
       add_named(Origin::Line, i, kind + " " + line.name, fmt::format("{} '{}'", kind, line.name));
     }
-    if (border == Border::Always || faces.named.contains("border"))
-      add_border(loops_within(std::move(faces.border), frame_.strip));
     for (const section::Marker& marker : front.markers) lost.push_back(fmt::format("marker '{}'", marker.name));
     if (!lost.empty()) {
       findings.push_back({"cut_left_out",
@@ -463,12 +475,15 @@ base::Result<BlockCut> cut(const Block& block, const CutFrame& frame) {
   const PlaneSide side(made.frame.plane);
   std::vector<Finding> of_lines;
   made.section = SectionMaker(block, made.frame, side).make(cap, Border::AsDrawn, of_lines);
-  if (block.sheets.empty()) {
-    const auto faces = faces_of(made.section);
-    if (!faces || !agrees(area_of(*faces), made)) {
-      // Sides between sections are bent where those of a section are straight.
-      of_lines.clear();
-      made.section = SectionMaker(block, made.frame, side).make(cap, Border::Always, of_lines);
+  if (const auto faces = faces_of(made.section); !faces || !agrees(area_of(*faces), made)) {
+    // Sides are drawn straight from end to end of the horizons, where the block has a fault, or what bends.
+    std::vector<Finding> of_bordered;
+    BlockCut bordered = made;
+    bordered.section = SectionMaker(block, made.frame, side).make(cap, Border::Always, of_bordered);
+    const auto better = faces_of(bordered.section);
+    if (block.sheets.empty() || (better && agrees(area_of(*better), bordered))) {
+      made.section = std::move(bordered.section);
+      of_lines = std::move(of_bordered);
     }
   }
   made.findings.insert(made.findings.end(), of_lines.begin(), of_lines.end());

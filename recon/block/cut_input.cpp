@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "recon/block/cut.h"
+#include "recon/block/unit_map.h"
 #include "shared/io/lines/section_plane.h"
 
 namespace recon::block {
@@ -65,6 +66,10 @@ base::Result<input::ReadSection> cut_through(input::ReadSection read, const inpu
   read.section = std::move(made.section);
   if (!read.section.faces)
     return Error{ErrorCode::BadSection, made.findings.back().message, made.findings.back().place};
+  std::erase_if(read.remarks, [&](const std::string& remark) {
+    const auto place = read.places.find(remark);
+    return place != read.places.end() && is_told(place->second, block.findings);
+  });
   for (const base::Finding& finding : block.findings) read.remarks.push_back(finding.message);
   for (const base::Finding& finding : made.findings) read.remarks.push_back("cut: " + finding.message);
   DOBRA_TRY(read.trace, dobra::io::lines::trace_between({at[0], at[1]}, {at[2], at[3]}));

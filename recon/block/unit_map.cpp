@@ -212,9 +212,11 @@ base::Result<UnitMap> by_polygons(const section::Section& section) {
       map.findings.push_back(
           {misfit.what,
            fmt::format("{}: {}", words_of(misfit),
-                       misfit.what == "gap"
-                           ? "no unit of the block is there; draw a unit there, or draw these up to each other"
-                           : "the block has the one that is drawn upon the other"),
+                       misfit.what != "gap" ? "the block has the one that is drawn upon the other"
+                       : misfit.upright ? "no unit of the block is there; draw a unit there, or draw these up to each "
+                                          "other; where it is air, a topography says so"
+                                        : "no unit of the block is there; draw a unit there, or draw these up to each "
+                                          "other"),
            geom::place_at(misfit.place)});
     }
   }
@@ -273,6 +275,14 @@ std::vector<PartLoops> parts_within(const UnitMap& map, const std::vector<FaceId
 }
 
 }  // namespace
+
+bool is_told(const base::Place& place, const std::vector<base::Finding>& findings) {
+  return place.x && place.y && std::any_of(findings.begin(), findings.end(), [&](const base::Finding& finding) {
+           const bool alike = finding.code == "open_end" || finding.code == "overshoot" || finding.code == "gap" ||
+                              finding.code == "overlap";
+           return alike && finding.place.x == place.x && finding.place.y == place.y;
+         });
+}
 
 base::Result<UnitMap> unit_map(const section::Section& section) {
   DOBRA_TRY(UnitMap map, section.units.empty() ? by_horizons(section) : by_polygons(section));

@@ -29,6 +29,10 @@ struct UnitMap {
 /// Of names of lines along one edge; lower counts more.
 int rank_of(const std::string& name);
 
+/// Whether the findings of a map tell an end, a gap or an overlap at a place of the section, so that what reading
+/// remarks there need not be said again.
+bool is_told(const base::Place& place, const std::vector<base::Finding>& findings);
+
 /// @error BadSection if nothing bounds a unit; those of faces_of() and UnitOwners::make.  @cost those of them
 base::Result<UnitMap> unit_map(const section::Section& section);
 

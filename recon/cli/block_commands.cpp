@@ -92,7 +92,7 @@ Result<int> block_job(Session& session, const BlockOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   DOBRA_TRY(const scenario::Table lines, options.section.lines.table());
   DOBRA_TRY(scenario::Document document, document_of(session, options.section, lines));
-  DOBRA_TRY(const block::Block block, block_of(session, std::move(document)));
+  DOBRA_TRY(const block::Block block, block_of(session, std::move(document), LengthSaidBy::Option));
   const double made = seconds_since(start);
   if (options.out) DOBRA_TRY_VOID(write_block(session, block, *options.out));
   if (as_json(session)) {
@@ -147,7 +147,7 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
   DOBRA_TRY(const std::vector<double> trace, trace_of_cut(document));
   document.input.erase("cut");
   const std::filesystem::path folder = document.folder();
-  DOBRA_TRY(const block::Block block, block_of(session, std::move(document)));
+  DOBRA_TRY(const block::Block block, block_of(session, std::move(document), LengthSaidBy::Option));
   const auto frame = cut_over(block, {trace[0], trace[1]}, {trace[2], trace[3]});
   if (!frame) return Error{ErrorCode::BadValue, "--trace: " + frame.error().message};
   DOBRA_TRY(block::BlockCut made, cut(block, *frame));
@@ -157,7 +157,12 @@ Result<int> cut_job(Session& session, const BlockCutOptions& options) {
     scenario::Document section = document_of_cut(made, original, trace);
     if (block.placed) section.input.erase("orientation");  // the trace tells it
     if (options.out) take_colours(original, folder, options.out->parent_path(), section);
-    if (auto flaw = flaw_of(session, section, options.out.value_or(""))) made.findings.push_back(std::move(*flaw));
+    if (auto flaw = flaw_of(session, section, options.out.value_or(""))) {
+      if (options.out) {
+        return Error{ErrorCode::CannotWrite, flaw->message + "; no file is written, move the trace", flaw->place};
+      }
+      made.findings.push_back(std::move(*flaw));
+    }
     if (options.out) {
       DOBRA_TRY_VOID(dobra::cli::write_whole(session, *options.out, [&](const std::filesystem::path& path) {
         return scenario::write_document(section, path);

@@ -6,6 +6,7 @@
 
 #include "recon/block/cut_input.h"
 #include "recon/block/loft.h"
+#include "recon/block/unit_map.h"
 #include "recon/input/input.h"
 #include "recon/input/section_input.h"
 #include "recon/model/model.h"
@@ -62,7 +63,7 @@ Result<block::Block> lofted(const space::PlacedSections& placed) {
 
 }  // namespace
 
-Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document document) {
+Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document document, LengthSaidBy said_by) {
   document.input.erase("cut");
   document.steps.clear();
   document.expects.clear();
@@ -80,6 +81,8 @@ Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document d
     remarks.push_back({"section_remark", remark, std::move(place)});
   }
   const auto with_remarks = [&](block::Block block) {
+    std::erase_if(remarks,
+                  [&](const base::Finding& remark) { return recon::block::is_told(remark.place, block.findings); });
     block.findings.insert(block.findings.begin(), remarks.begin(), remarks.end());
     return block;
   };
@@ -91,7 +94,9 @@ Result<block::Block> block_of(dobra::cli::Session& session, scenario::Document d
   }
   if (!(model.along_strike > 0.0)) {
     return Error{ErrorCode::MissingKey,
-                 "how far does the section go on? Give --along-strike a length, or along_strike in its [input]",
+                 said_by == LengthSaidBy::Option
+                     ? "how far does the section go on? Give --along-strike a length, or along_strike in its [input]"
+                     : "how far does the section go on? Give along_strike a length in its [input]",
                  base::Place{.file = document.file.string(), .item = "input"}};
   }
   DOBRA_TRY(block::Block block, block::extrude(model.section, {model.along_strike, model.trace}));
@@ -104,9 +109,9 @@ Result<std::vector<double>> trace_of_cut(const scenario::Document& document) {
   DOBRA_TRY_VOID(scenario::check(document.input, scenario::fields_of<input::SectionInput>(), "input"));
   std::vector<double> numbers = scenario::from_table<input::SectionInput>(document.input).cut;
   if (numbers.size() != 4) {
-    return Error{
-        ErrorCode::BadUsage,
-        fmt::format("--trace has {} numbers: give x and y of its beginning and its end on the map", numbers.size())};
+    return Error{ErrorCode::BadUsage,
+                 fmt::format("--trace: give four numbers, x and y of its beginning and its end on the map, not {}",
+                             numbers.size())};
   }
   for (double& number : numbers) number = document.units.to_si(number, "m");
   return numbers;

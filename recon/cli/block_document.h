@@ -1,6 +1,7 @@
 #pragma once
 // Blocks out of documents, and documents out of their cuts.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -11,10 +12,14 @@
 
 namespace recon::cli {
 
+/// What the user may say the length along strike by: the command has an option for it, or the document alone has it.
+enum class LengthSaidBy : std::uint8_t { Option, Document };
+
 /// The block of the section that a document's input describes, extruded, or of its several sections in space, lofted;
 /// `cut` of the input is passed over.
 /// @error those of reading, of extrude() and of loft(); MissingKey: no length along strike; BadValue: a bent trace.
-base::Result<block::Block> block_of(dobra::cli::Session& session, dobra::scenario::Document document);
+base::Result<block::Block> block_of(dobra::cli::Session& session, dobra::scenario::Document document,
+                                    LengthSaidBy said_by);
 
 /// The four numbers of `cut`, in metres. @error BadUsage: none, or not four
 base::Result<std::vector<double>> trace_of_cut(const dobra::scenario::Document& document);

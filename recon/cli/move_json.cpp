@@ -58,7 +58,7 @@ std::string move_table(const model::Model& model) {
   std::string text = fmt::format("fault {}, {}: slip {:.6g} m\n", moved.params.fault, method_name(*moved.params.method),
                                  moved.motion.slip);
   if (!moved.blocks.empty()) text += fmt::format("blocks moved: {}\n", fmt::join(moved.blocks, ", "));
-  text += fmt::format("{} pieces moved", moved.pieces.size());
+  text += fmt::format("pieces moved: {}", moved.pieces.size());
   if (moved.whole_wall)
     text += fmt::format("; gap {:.6g} m2, overlap {:.6g} m2 along the fault", moved.opened.gap, moved.opened.overlap);
   text += '\n';

@@ -21,7 +21,7 @@ using dobra::cli::Session;
 Result<Bodies> units_of_block(Session& session, const std::filesystem::path& file, const std::string& unit,
                               const std::optional<std::string>& matrix, std::vector<base::Finding>& findings) {
   DOBRA_TRY(scenario::Document document, scenario::read_document(file));
-  DOBRA_TRY(const block::Block block, block_of(session, std::move(document)));
+  DOBRA_TRY(const block::Block block, block_of(session, std::move(document), LengthSaidBy::Document));
   findings.insert(findings.end(), block.findings.begin(), block.findings.end());
   Bodies bodies;
   std::vector<std::string> known;
@@ -52,7 +52,7 @@ Result<Bodies> units_of_block(Session& session, const std::filesystem::path& fil
   }
   if (rounded > 0) {
     findings.push_back({"placed_rounded",
-                        fmt::format("{} points were rounded to the nearest numbers when they were placed; faces "
+                        fmt::format("points ({}) were rounded to the nearest numbers when they were placed; faces "
                                     "that are no longer plane are cut into triangles",
                                     rounded),
                         base::Place{.file = file.string()}});

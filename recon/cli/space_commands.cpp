@@ -163,6 +163,10 @@ dobra::cli::Command cut_command() {
             options->block.add(app, scenario::fields_of<input::SectionInput>(), {"along_strike"});
             options->through.add(app);
             add_out(app, options->out, "lines of the new section");
+            app.footer(
+                "A block is cut over two places, --trace x0,y0,x1,y1 without further corners, and --out is a scenario "
+                "(.toml); pictures, lines and corners are for sections that are cut through surfaces.\n\n" +
+                app.get_footer());
             return [options](Session& session) { return with_refusal(session, cut_job(session, *options)); };
           }};
 }

@@ -120,7 +120,7 @@ base::Result<void> check_simple(const Fault& fault) {
   if (crossings.empty()) return {};
   return refusal(
       fault, crossings.front().place,
-      fmt::format("the fault crosses itself or runs back on itself ({} places), so that it has no two walls; "
+      fmt::format("the fault crosses itself or runs back on itself (places: {}), so that it has no two walls; "
                   "take the loop out of the line, or give its parts two names if they are two faults",
                   crossings.size()));
 }

@@ -1,6 +1,7 @@
 #include "recon/input/import.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -286,6 +287,55 @@ base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSet
     }
   }
   return input;
+}
+
+void tell_numbered_names(const SectionInput& input, ReadSection& read) {
+  const auto tell = [&](const auto& inputs, const char* kind, auto&& words, auto&& line_of) {
+    std::map<std::string, std::size_t> members;
+    std::map<std::string, std::vector<std::string>> alone;  // those that do not say what they are pieces of
+    for (const auto& line : inputs) {
+      const auto numbered = numbered_name(line.name);
+      if (!numbered) continue;
+      ++members[numbered->first];
+      if (line.piece_of.empty()) alone[numbered->first].push_back(line.name);
+    }
+    for (const auto& [whole, names] : alone) {
+      if (members[whole] < 2) continue;
+      std::string text = words(fmt::format("'{}'", fmt::join(names, "', '")), whole);
+      if (const geom::Polyline* const line = line_of(names.front()))
+        read.places[text] = geom::place_at(line->points.front(), fmt::format("{} '{}'", kind, names.front()));
+      read.remarks.push_back(std::move(text));
+    }
+  };
+  tell(
+      input.horizons, "horizon",
+      [](const std::string& names, const std::string& whole) {
+        return fmt::format(
+            "{}: numbers in names make no pieces, so that these are beds of their own, and their ends "
+            "within the section are not looked at; if they are pieces of one horizon, give each of them "
+            "piece_of = \"{}\"",
+            names, whole);
+      },
+      [&](const std::string& name) {
+        const section::Horizon* const horizon = find_horizon(read.section, name);
+        return horizon != nullptr ? &horizon->line : nullptr;
+      });
+  tell(
+      input.faults, "fault",
+      [](const std::string& names, const std::string& whole) {
+        return fmt::format(
+            "{}: numbers in names make no pieces, so that these are faults of their own; if they are "
+            "pieces of one fault, give each of them piece_of = \"{}\"",
+            names, whole);
+      },
+      [&](const std::string& name) {
+        const auto& lines = read.section.lines;
+        const auto same = [&](const section::SectionLine& line) {
+          return line.kind == section::LineKind::Fault && line.name == name;
+        };
+        const auto found = std::find_if(lines.begin(), lines.end(), same);
+        return found != lines.end() ? &found->line : nullptr;
+      });
 }
 
 }  // namespace recon::input

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recon/input/input.h"
+#include "recon/input/section_input.h"
 #include "shared/io/lines/feature.h"
 
 namespace recon::input {
@@ -45,5 +46,9 @@ base::Result<Import> import_lines(const std::vector<dobra::io::lines::Feature>& 
 base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSettings& settings,
                                                const dobra::scenario::Context& context,
                                                std::vector<std::string>& remarks);
+
+/// Remarks, with their places, on horizons and faults called "A (1)", "A (2)" that do not say that they are pieces.
+/// @pre  the lines of the input have been read.
+void tell_numbered_names(const SectionInput& input, ReadSection& read);
 
 }  // namespace recon::input

@@ -152,7 +152,7 @@ base::Result<void> treat_self_crossings(section::Horizon& horizon, SelfCrossings
     if (crossings.empty()) return {};
     const base::Error error{
         base::ErrorCode::BadSection,
-        fmt::format("the line crosses itself ({} places); correct it, or cut small loops out: self_crossings = "
+        fmt::format("the line crosses itself (places: {}); correct it, or cut small loops out: self_crossings = "
                     "\"cut_loops\" (--self-crossings cut_loops)",
                     crossings.size()),
         place_at(crossings.front().place, item)};
@@ -162,7 +162,7 @@ base::Result<void> treat_self_crossings(section::Horizon& horizon, SelfCrossings
   if (!cut) return base::located(cut.error(), source);
   if (!cut->places.empty()) {
     remarks.push_back(
-        fmt::format("{}: {} small loops cut out, the first at {}", item, cut->places.size(), cut->places.front()));
+        fmt::format("{}: small loops cut out: {}, the first at {}", item, cut->places.size(), cut->places.front()));
   }
   horizon.line = std::move(cut->line);
   return {};
@@ -223,7 +223,8 @@ std::vector<section::Horizon> horizons_of(const HorizonInput& wanted, std::vecto
 
 /// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there, unless
 /// they are beyond a fault.
-void tell_open_ends(const section::Section& section, std::vector<std::string>& remarks) {
+void tell_open_ends(ReadSection& read) {
+  const section::Section& section = read.section;
   const double near = rounding_of_files(section);
   constexpr double beside = 0.01;  // of the section: what goes on farther was drawn so
   const double far = beside * box_of(section).diagonal();
@@ -240,13 +241,17 @@ void tell_open_ends(const section::Section& section, std::vector<std::string>& r
         return whole_name(other) != whole_name(horizon) && geom::distance(other.line, p) <= near;
       };
       if (nearest <= near || std::any_of(section.horizons.begin(), section.horizons.end(), is_truncated_by)) continue;
+      const auto tell = [&](const std::string& text) {
+        read.remarks.push_back(text);
+        read.places[text] = geom::place_at(p, fmt::format("horizon '{}'", horizon.name));
+      };
       if (const auto overshoot = overshoot_of(section, horizon, end, far)) {
-        remarks.push_back(words_of(*overshoot));
+        tell(words_of(*overshoot));
         continue;
       }
       const std::string gap =
           std::isfinite(nearest) ? fmt::format("{:.4g} m from the nearest fault", nearest) : std::string("on no fault");
-      remarks.push_back(
+      tell(
           fmt::format("horizon '{}' ends at {}, {}, so that the units above and below it run together there; "
                       "snap_to_faults moves ends that are near onto the fault",
                       horizon.name, p, gap));
@@ -342,6 +347,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   result.trace = settings.trace ? settings.trace : plane;
   DOBRA_TRY_VOID(set_ends(input, settings, plane, result.section));
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
+  tell_numbered_names(input, result);
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
   constexpr double same_place = 1e-9;  // of the diagonal
@@ -349,9 +355,13 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   DOBRA_TRY_VOID(join_gaps(input.horizons, result));
   if (input.horizons_from_units) DOBRA_TRY_VOID(add_horizons_of_units(input.share_edges, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));
-  tell_open_ends(result.section, result.remarks);
+  tell_open_ends(result);
   DOBRA_TRY(section::SectionFaces faces, faces_of(result.section));
   for (std::string& remark : remarks_of(faces, result.section)) result.remarks.push_back(std::move(remark));
+  for (const section::MisfitRemark& told : misfit_remarks(faces)) {
+    result.places[told.text] = geom::place_at(told.place);
+    result.remarks.push_back(told.text);
+  }
   result.section.faces = std::make_shared<const section::SectionFaces>(std::move(faces));
   if (!input.colors.empty()) DOBRA_TRY_VOID(read_colors((context.folder / input.colors).string(), result));
   DOBRA_TRY_VOID(take_colors(input, result.section));

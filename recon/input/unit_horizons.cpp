@@ -88,12 +88,12 @@ class Maker {
     for (Loop& loop : loops_) fill_short_breaks(loop);
     for (Loop& loop : loops_) make_lines(loop);
     if (short_ > 0) {
-      remarks_.push_back(fmt::format("{} edges between units are no longer than {:.4g} m and become no horizon", short_,
-                                     owners_.tolerance()));
+      remarks_.push_back(fmt::format("edges between units that are no longer than {:.4g} m become no horizon: {}",
+                                     owners_.tolerance(), short_));
     }
     if (stubs_ > 0) {
       remarks_.push_back(
-          fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons do not end "
+          fmt::format("ends of edges between units turn off ({}) by no more than {:.4g} m, where polygons do not end "
                       "together, and are cut, the first at {}",
                       stubs_, owners_.tolerance(), first_stub_));
     }
@@ -433,7 +433,8 @@ base::Result<void> add_horizons_of_units(double tolerance, ReadSection& read) {
   add(owners.remarks());
   add(maker.remarks());
   add(wide_gaps(section, bridged));
-  read.remarks.push_back(fmt::format("{} horizons made of the edges of units: {}", told.size(), fmt::join(told, ", ")));
+  read.remarks.push_back(
+      fmt::format("horizons made of the edges of units: {}, {}", told.size(), fmt::join(told, ", ")));
   return {};
 }
 

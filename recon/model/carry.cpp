@@ -52,7 +52,7 @@ void remark_on(const CarriedLine& line, std::vector<std::string>& remarks) {
                                    [&](const CarriedPoint& p) { return p.misses > return_tolerance * size; });
   const geom::Point at = line.before.points[static_cast<std::size_t>(worst - line.points.begin())];
   remarks.push_back(fmt::format(
-      "{} points are carried where a map is not single-valued: the way back misses them, most {} by {:.4g} m", count,
+      "points are carried where a map is not single-valued ({}): the way back misses them, most {} by {:.4g} m", count,
       at, worst->misses));
 }
 
@@ -69,7 +69,7 @@ void remark_outside(const CarriedLine& line, const section::Section& section, st
   const std::vector<geom::Point>& points = line.before.points;
   const auto first = std::find_if(points.begin(), points.end(), outside);
   if (first == points.end()) return;
-  remarks.push_back(fmt::format("{} points that are carried lie outside the section, the first at {}",
+  remarks.push_back(fmt::format("points that are carried lie outside the section ({}), the first at {}",
                                 std::count_if(points.begin(), points.end(), outside), *first));
 }
 

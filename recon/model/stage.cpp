@@ -29,7 +29,7 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
   if (line.closed) return crossed;
   auto without = section::without_loops(std::move(line));
   if (!without) return crossed;
-  remarks.push_back(fmt::format("{}: {} small loops that the restoration made were cut, the first at {}", item,
+  remarks.push_back(fmt::format("{}: small loops of the restoration cut out: {}, the first at {}", item,
                                 without->places.size(), place));
   return std::move(without->line);
 }

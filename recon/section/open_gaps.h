@@ -9,7 +9,9 @@
 
 namespace recon::section {
 
-/// What no polygon covers, with one polygon upright over it and another upright under it, and no topography between.
+/// What no polygon covers, with one polygon upright over it and another upright under it, or one on its left and
+/// another on its right, and no topography that makes it air. What has rock on its left and right and on one more side
+/// is a valley, and none, unless it is deeper than it is wide.
 /// @param arrangement  of the polygons, numbered as the section's
 /// @param holders      of its faces
 /// @cost  O(n log n) for n edges of the outer boundary that stand upright over few others

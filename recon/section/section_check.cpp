@@ -27,7 +27,7 @@ base::Result<void> refuse_crossings(const Section& section, const SectionFaces& 
     more += fmt::format("{} '{}' crosses '{}' at {}", i == 1 ? "; so do others:" : ",", name_of(crossings[i]->first),
                         name_of(crossings[i]->second), at);
   }
-  if (crossings.size() > most) more += fmt::format(", and {} pairs more", crossings.size() - most);
+  if (crossings.size() > most) more += fmt::format(", and more pairs: {}", crossings.size() - most);
   return base::Error{
       base::ErrorCode::BadSection,
       fmt::format("the line crosses horizon '{}' at {}{}; correct them, or set crossings = \"allow\" (--crossings "

@@ -554,6 +554,11 @@ base::Result<UnitFaces> unit_faces_of(const Section& as_given) {
 }
 
 std::string words_of(const Misfit& misfit) {
+  if (misfit.upright) {
+    return fmt::format(
+        "{} of {:.4g} m2, {:.4g} m high and open at the top or the bottom of the drawing, between the units {}",
+        misfit.what, misfit.area, misfit.open_over, misfit.between);
+  }
   if (misfit.open_over > 0.0) {
     return fmt::format("{} of {:.4g} m2, {:.4g} m wide and open at the side of the drawing, between the units {}",
                        misfit.what, misfit.area, misfit.open_over, misfit.between);
@@ -580,6 +585,11 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
                     "no unit of the ledger; give a border",
                     find_horizon(section, open.under)->name, open.place));
   }
+  return remarks;
+}
+
+std::vector<MisfitRemark> misfit_remarks(const SectionFaces& faces) {
+  std::vector<MisfitRemark> remarks;
   for (const char* what : {"gap", "overlap"}) {
     const Misfit* greatest = nullptr;
     std::size_t count = 0;
@@ -593,7 +603,7 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
     if (count == 0) continue;
     const std::string all =
         count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
-    remarks.push_back(fmt::format("{}{} at {}", all, words_of(*greatest), greatest->place));
+    remarks.push_back({fmt::format("{}{} at {}", all, words_of(*greatest), greatest->place), greatest->place});
   }
   return remarks;
 }

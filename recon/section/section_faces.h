@@ -38,6 +38,7 @@ struct Misfit {
   double area = 0.0;  ///< m2
   geom::Point place;
   double open_over = 0.0;  ///< How wide a gap is that is open at the side of the drawing, m; 0: it is closed.
+  bool upright = false;    ///< It is open above or below instead, and that is how high it is.
 };
 /// "gap of 3 m2 between the units A, B", and how wide an open one is.
 std::string words_of(const Misfit& misfit);
@@ -88,7 +89,14 @@ std::vector<std::size_t> stack_order(const Section& section);
 /// The units as errors name them: "unit 'Q'".
 std::vector<std::string> unit_labels(const Section& section);
 
-/// One line each: what polygons leave out, horizons that meet, and where the border is open.
+/// One line each: horizons that meet, and where the border is open.
 std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& section);
+
+struct MisfitRemark {
+  std::string text;
+  geom::Point place;  ///< Of the greatest.
+};
+/// One line for what polygons leave out, and one for what they have twice.
+std::vector<MisfitRemark> misfit_remarks(const SectionFaces& faces);
 
 }  // namespace recon::section

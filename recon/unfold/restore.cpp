@@ -29,20 +29,22 @@ struct MapWords {
 
 MapWords words_of(const maps::SectionMap& map, RestoreMethod method) {
   if (map.columns() != nullptr) {
-    return {"crosses the medial axis of the top at {} places, where the grid is not single-valued",
-            "the top does not cover the section: {} points of horizon '{}' lie beyond its ends, the first at {}; there "
-            "the grid was continued straight",
-            "column of the grid and went with the nearest segment of the top", "column of the target grid"};
+    return {
+        "crosses the medial axis of the top (places: {}), where the grid is not single-valued",
+        "the top does not cover the section: points ({}) of horizon '{}' lie beyond its ends, the first at {}; there "
+        "the grid was continued straight",
+        "column of the grid and went with the nearest segment of the top", "column of the target grid"};
   }
   if (method == RestoreMethod::Shear) {
-    return {"is torn by the shear at {} places",
-            "the top does not cover the section along the direction of shear: {} points of horizon '{}' lie beyond its "
-            "ends, the first at {}; there the top was continued straight",
-            "strip of the shear", "strip of the shear"};
+    return {
+        "is torn by the shear (places: {})",
+        "the top does not cover the section along the direction of shear: points ({}) of horizon '{}' lie beyond its "
+        "ends, the first at {}; there the top was continued straight",
+        "strip of the shear", "strip of the shear"};
   }
   return {
-      "passes {} places where rulings between the horizons cross, so that the map is not single-valued",
-      "the horizons that are joined by rulings do not cover the section: {} points of horizon '{}' lie beyond their "
+      "passes places ({}) where rulings between the horizons cross, so that the map is not single-valued",
+      "the horizons that are joined by rulings do not cover the section: points ({}) of horizon '{}' lie beyond their "
       "ends, the first at {}; there the last ruling was moved along",
       "strip between rulings and went with the nearest one", "strip between the restored rulings"};
 }
@@ -65,10 +67,11 @@ void remark_on(const std::string& name, const maps::MappedLine& mapped, const Ma
     remarks.push_back(fmt::format(fmt::runtime(words.beyond), mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }
   if (mapped.without_column > 0)
-    remarks.push_back(fmt::format("horizon '{}': {} points lie in no {}", name, mapped.without_column, words.nowhere));
+    remarks.push_back(
+        fmt::format("horizon '{}': points ({}) lie in no {}", name, mapped.without_column, words.nowhere));
   if (mapped.not_reversible > 0) {
     remarks.push_back(
-        fmt::format("horizon '{}': {} restored points belong to another {}: restoring back would not bring them home",
+        fmt::format("horizon '{}': restored points ({}) belong to another {}: restoring back would not bring them home",
                     name, mapped.not_reversible, words.cell));
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shared/base/text.h"
+#include "shared/io/formats/line_files.h"
 
 namespace dobra::cli {
 
@@ -17,17 +18,13 @@ using solid::Matrix;
 
 namespace {
 
-/// Blanks round them do not count. @error BadUsage naming the option
-Result<std::vector<double>> numbers_of(const char* option, std::string_view text) {
+Result<std::vector<double>> numbers_in(const char* option, const std::string& text) {
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view word = base::trimmed(text.substr(begin, end - begin));
-    const auto value = base::parse_number(word);
+  for (const std::string& word : io::formats::words_between_commas(text)) {
+    const auto value = base::parse_number(base::trimmed(word));
     if (!value || !std::isfinite(*value))
-      return Error{ErrorCode::BadUsage, fmt::format("{}: '{}' is not a finite number", option, word)};
+      return Error{ErrorCode::BadUsage, fmt::format("{}: '{}' is not a finite number", option, base::trimmed(word))};
     numbers.push_back(*value);
-    begin = end + 1;
   }
   return numbers;
 }
@@ -35,11 +32,11 @@ Result<std::vector<double>> numbers_of(const char* option, std::string_view text
 }  // namespace
 
 Result<Matrix> parse_matrix(const std::string& text) {
-  DOBRA_TRY(const std::vector<double> numbers, numbers_of("--place", text));
   Matrix matrix{};
+  DOBRA_TRY(const std::vector<double> numbers, numbers_in("--place", text));
   if (numbers.size() != matrix.size()) {
     return Error{ErrorCode::BadUsage,
-                 fmt::format("--place has {} numbers: give the 16 of a matrix, row by row, with commas between them",
+                 fmt::format("--place: give the 16 numbers of a matrix, row by row, with commas between them, not {}",
                              numbers.size())};
   }
   std::copy(numbers.begin(), numbers.end(), matrix.begin());
@@ -60,11 +57,11 @@ Result<Placed> place(const mesh::PolygonMesh& mesh, const Matrix& matrix) {
 }
 
 Result<solid::CutPlane> parse_plane(const std::string& text) {
-  DOBRA_TRY(const std::vector<double> numbers, numbers_of("--cut", text));
+  DOBRA_TRY(const std::vector<double> numbers, numbers_in("--cut", text));
   if (numbers.size() != 4) {
     return Error{
         ErrorCode::BadUsage,
-        fmt::format("--cut has {} numbers: give a,b,c,d of the plane a x + b y + c z + d = 0", numbers.size())};
+        fmt::format("--cut: give the 4 numbers a,b,c,d of the plane a x + b y + c z + d = 0, not {}", numbers.size())};
   }
   const solid::CutPlane plane{numbers[0], numbers[1], numbers[2], numbers[3]};
   if (const auto frame = solid::frame_of(plane); !frame)

@@ -157,7 +157,7 @@ Result<Bodies> read_mesh(const std::string& file, const std::optional<std::strin
     if (placed.rounded > 0) {
       findings.push_back(
           {"placed_rounded",
-           fmt::format("{} of {} points were rounded to the nearest numbers when they were placed; faces "
+           fmt::format("points ({} of {}) were rounded to the nearest numbers when they were placed; faces "
                        "that are no longer plane are cut into triangles",
                        placed.rounded, placed.mesh.points.size()),
            in_file(file)});

@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "shared/solid/shape/bands.h"
 #include "shared/solid/shape/contours.h"
 #include "shared/solid/shape/section_map.h"
 
@@ -19,40 +20,6 @@ using base::Result;
 using geom::Point;
 using geom::Point3;
 using geom::Vector3;
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// Points along a line, and how far along each is, from 0 to 1.
-struct Chain {
-  std::vector<std::uint32_t> points;
-  std::vector<double> at;
-};
-
-/// Triangles between two chains, anticlockwise seen from the right of the first one if the second lies beyond the plane
-/// in which right is right. Each step goes on along the chain whose next point comes earlier; where both come together
-/// the shorter diagonal is taken.
-std::vector<Triangle> band(const std::vector<Point3>& points, const Chain& a, const Chain& b) {
-  std::vector<Triangle> triangles;
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i + 1 < a.points.size() || j + 1 < b.points.size()) {
-    bool along_a = j + 1 == b.points.size();
-    if (!along_a && i + 1 < a.points.size()) {
-      along_a = a.at[i + 1] < b.at[j + 1];
-      if (a.at[i + 1] == b.at[j + 1]) {
-        along_a = distance(points[a.points[i + 1]], points[b.points[j]]) <=
-                  distance(points[a.points[i]], points[b.points[j + 1]]);
-      }
-    }
-    if (along_a) {
-      triangles.push_back({a.points[i], a.points[i + 1], b.points[j]});
-      ++i;
-    } else {
-      triangles.push_back({a.points[i], b.points[j + 1], b.points[j]});
-      ++j;
-    }
-  }
-  return triangles;
-}
 
 /// Half the integral of a x db, where chains are walked together from 0 to 1: round a contour the area that lies
 /// between its two copies, as a vector. It is that of the contour where they are equal, and what is turned by an angle
@@ -83,6 +50,21 @@ std::vector<double> fractions(const geom::Polyline& line) {
   for (double& s : at) s /= whole;
   at.back() = 1.0;
   return at;
+}
+
+/// The points of a line and of the places between its vertices; an island comes back to its first point.
+std::vector<Point> with_breaks(const geom::Polyline& line, const std::vector<double>& at,
+                               const std::vector<double>& breaks) {
+  std::vector<Point> points;
+  std::size_t i = 0;
+  for (const double s : breaks) {
+    while (i + 1 < at.size() && at[i + 1] <= s) ++i;
+    const Point from = line.points[i % line.points.size()];
+    points.push_back(at[i] == s ? from
+                                : geom::interpolate(from, line.points[(i + 1) % line.points.size()],
+                                                    (s - at[i]) / (at[i + 1] - at[i])));
+  }
+  return points;
 }
 
 /// The island begins at the corner that stands nearest to the first corner of the other, centre on centre.
@@ -181,35 +163,46 @@ class SectionsLofter {
 
   /// The chains of all lines in all sections, and the bands between them.
   void place_lines() {
-    for (std::size_t k = 0; k < maps_.size(); ++k) {
-      std::map<Point, std::uint32_t, PointOrder> numbers;
-      auto& chains = chains_.emplace_back();
-      for (Dart d = 0; d < darts_[0].size(); d += 2) {
-        const Dart here = darts_[k][d];
-        geom::Polyline line = maps_[k].lines[here / 2].line;
-        if ((here & 1U) != 0) line = geom::reversed(std::move(line));
-        if (line.closed && k > 0) line = turned_towards(flat_[d / 2], std::move(line));
-        Chain& chain = chains.emplace_back();
-        chain.at = fractions(line);
-        for (const Point p : line.points) {
-          const auto [at, fresh] = numbers.try_emplace(p, static_cast<std::uint32_t>(points_.size()));
+    chains_.assign(maps_.size(), std::vector<Chain>(maps_[0].lines.size()));
+    std::vector<std::map<Point, std::uint32_t, PointOrder>> numbers(maps_.size());
+    std::vector<RuledLines> rulings;
+    for (std::size_t i = 0; i < maps_[0].lines.size(); ++i) {
+      const std::vector<geom::Polyline> lines = copies_of(i);
+      std::vector<std::vector<double>> at;
+      std::vector<std::vector<Joint>> joints;
+      for (const geom::Polyline& line : lines) at.push_back(fractions(line));
+      for (std::size_t k = 1; k < lines.size(); ++k) joints.push_back(joints_of(lines[k - 1], lines[k]));
+      const RuledLines& made = rulings.emplace_back(ruled(at, joints));
+      for (std::size_t k = 0; k < lines.size(); ++k) {
+        Chain& chain = chains_[k][i];
+        chain.at = made.breaks[k];
+        for (const Point p : with_breaks(lines[k], at[k], chain.at)) {
+          const auto [known, fresh] = numbers[k].try_emplace(p, static_cast<std::uint32_t>(points_.size()));
           if (fresh) points_.push_back(maps_[k].frame.in_space(p));
-          chain.points.push_back(at->second);
+          chain.points.push_back(known->second);
         }
-        if (line.closed) chain.points.push_back(chain.points.front());
-        if (k == 0)
-          flat_.push_back(std::move(line));
-        else
-          flat_[d / 2] = std::move(line);
       }
     }
-    for (std::size_t i = 0; i < chains_[0].size(); ++i) {
+    for (std::size_t i = 0; i < rulings.size(); ++i) {
       auto& triangles = bands_.emplace_back();
       for (std::size_t k = 1; k < chains_.size(); ++k) {
-        const auto next = band(points_, chains_[k - 1][i], chains_[k][i]);
+        const auto next = band(points_, chains_[k - 1][i], chains_[k][i], rulings[i].rulings[k - 1]);
         triangles.insert(triangles.end(), next.begin(), next.end());
       }
     }
+  }
+
+  /// What stands for a line of the first section, in each section, in its direction.
+  [[nodiscard]] std::vector<geom::Polyline> copies_of(std::size_t i) const {
+    std::vector<geom::Polyline> lines;
+    for (std::size_t k = 0; k < maps_.size(); ++k) {
+      const Dart here = darts_[k][2 * i];
+      geom::Polyline line = maps_[k].lines[here / 2].line;
+      if ((here & 1U) != 0) line = geom::reversed(std::move(line));
+      if (line.closed && k > 0) line = turned_towards(lines.back(), std::move(line));
+      lines.push_back(std::move(line));
+    }
+    return lines;
   }
 
   /// Whatever hangs together is turned by less than a right angle from each section to the next.
@@ -269,7 +262,7 @@ class SectionsLofter {
     for (const Dart first : maps_[0].regions[region].loops) {
       for (const Dart d : maps_[0].loop(first)) {
         if (maps_[0].region_of[twin(d)] == region) continue;  // the region goes on beyond it
-        for (const Triangle& t : bands_[d / 2])
+        for (const auto& [t, segment] : bands_[d / 2])
           add({{t[0], t[1], t[2]}}, ((d & 1U) != 0) == up_, maps_[0].lines[d / 2].name);
       }
     }
@@ -283,8 +276,7 @@ class SectionsLofter {
   bool up_ = true;                        // the sections follow each other towards who looks at them
   std::vector<Point3> points_;
   std::vector<std::vector<Chain>> chains_;  // of each section, each line of the first
-  std::vector<geom::Polyline> flat_;        // of the section before
-  std::vector<std::vector<Triangle>> bands_;
+  std::vector<std::vector<BandTriangle>> bands_;
 };
 
 /// The contour with its first corner there, also where it had to be turned round.
@@ -353,11 +345,15 @@ Result<void> add_bands(Maker& maker, const std::vector<std::vector<Contour>>& co
                                k + 1, k),
                    at_point(maker.points()[above.points[0]])};
     }
-    std::size_t count = 0;
-    for (const Triangle& t : band(maker.points(), below, above)) {
-      // With equal numbers two triangles stand over every side.
+    std::vector<Point3> points = maker.points();
+    const std::size_t known = points.size();
+    const auto triangles = equal
+                               ? band(points, below, above, ruled({below.at, above.at}, {{{0, 0}, {n, n}}}).rulings[0])
+                               : band(points, below, above);
+    std::for_each(points.begin() + static_cast<std::ptrdiff_t>(known), points.end(), [&](Point3 p) { maker.point(p); });
+    for (const auto& [t, segment] : triangles) {
       const bool own = equal || names == SideNames::One || c > 0;
-      maker.face({{t[0], t[1], t[2]}}, own ? contours[0][c].names[equal ? count++ / 2 : 0] : "side");
+      maker.face({{t[0], t[1], t[2]}}, own ? contours[0][c].names[equal ? segment : 0] : "side");
     }
   }
   return {};
@@ -393,7 +389,7 @@ Result<Shape> loft(std::span<const PlacedProfile> profiles, SideNames names) {
     std::vector<Contour>& own = *given;
     if (k > 0 && own.size() != contours[0].size()) {
       return Error{ErrorCode::InvalidOption,
-                   fmt::format("profile {} has {} holes and profile 1 has {}: profiles that are joined have as many",
+                   fmt::format("profiles that are joined have as many holes; number {} has {}, and number 1 has {}",
                                k + 1, own.size() - 1, contours[0].size() - 1)};
     }
     for (std::size_t c = 0; c < own.size(); ++c) {

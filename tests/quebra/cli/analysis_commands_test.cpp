@@ -278,7 +278,7 @@ TEST_F(AnalysisCommands, ALineAndAProbeAreRead) {
       call({"adapt", scenario, "--target", "20%", "--line", "-30,60,10,60", "--samples", "5", "--json"});
   ASSERT_EQ(partly.code, 0) << partly.err;
   const Json some = Json::parse(partly.out);
-  const std::string remark = "line 'command': 3 of its 5 points lie outside the material and are left out";
+  const std::string remark = "line 'command': points outside the material are left out: 3 of 5";
   EXPECT_EQ(some["line_command"].size(), 2u);
   EXPECT_NE(some["remarks"].dump().find(remark), std::string::npos);
   EXPECT_NE(partly.err.find(remark), std::string::npos) << partly.err;

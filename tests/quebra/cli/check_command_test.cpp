@@ -77,7 +77,7 @@ TEST_F(CheckCommand, NodesWithoutAnElementAreARemarkWithCountAndPlace) {
       put("cut.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n5, 9, 7\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n");
   const auto told = call({"check", file});
   EXPECT_EQ(told.code, 0) << told.err;
-  EXPECT_NE(told.err.find("2 of 5 nodes belong to no element, the first at 0, 1"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("nodes that belong to no element: 2 of 5, the first at 0, 1"), std::string::npos) << told.err;
 }
 
 TEST_F(CheckCommand, SetsAreListedWithKindAndCount) {

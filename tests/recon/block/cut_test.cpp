@@ -108,6 +108,23 @@ TEST(BlockCut, ItsOwnTraceGivesTheSectionBack) {
   }
 }
 
+TEST(BlockCut, AlongStrikeThroughAFaultTheFaultBoundsTheSection) {
+  // At x = 45 the fault, at z = -2, is the roof of what lies over the base at z = -20: no horizon is there.
+  const Block block = test::block(test::faulted(), 64.0);
+  const BlockCut cut = cut_along(block, {45, 0}, {45, 64});
+  ASSERT_TRUE(cut.section.faces);
+  EXPECT_NEAR(cut.area, 18.0 * 64.0, 1e-9);
+  EXPECT_FALSE(told(cut.findings, "cut_area"));
+  EXPECT_FALSE(told(cut.findings, "cut_flawed"));
+  ASSERT_TRUE(cut.section.border);
+  EXPECT_NEAR(geom::signed_area(*cut.section.border), 18.0 * 64.0, 1e-9);
+  // The block of that section is the one it came from, as far as it goes.
+  const Block again = test::block(cut.section, 5.0);
+  EXPECT_NEAR(again.volume, 18.0 * 64.0 * 5.0, 1e-8);
+  // Beside the fault nothing needs a border.
+  EXPECT_FALSE(cut_along(block, {20, 0}, {20, 64}).section.border);
+}
+
 TEST(BlockCut, PolygonsComeBackToo) {
   section::Section section;
   section.units = {unit("salt", {{0, -10}, {10, -10}, {10, 0}, {0, 0}}),

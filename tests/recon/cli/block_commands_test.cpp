@@ -158,6 +158,112 @@ TEST_F(BlockCommands, AGapAcrossTheWholeSectionIsToldWithItsPlace) {
   EXPECT_THAT(call({"block", strip, "--along-strike", "10"}).err, HasSubstr("each other (at 5, -0.75)"));
 }
 
+TEST_F(BlockCommands, AnUprightGapIsToldOnceWithItsPlace) {
+  const std::string strip = put("upright.toml",
+                                "dobra = 1\nprogram = \"recon\"\n[[input.polygon]]\nname = \"A\"\npoints = "
+                                "[[0, 0], [50, 0], [50, 40], [0, 40]]\n[[input.polygon]]\nname = \"B\"\npoints = "
+                                "[[60, 0], [100, 0], [100, 40], [60, 40]]\n");
+  const Json json = told({"block", strip, "--along-strike", "10"});
+  EXPECT_EQ(json["volume"], 36000.0);
+  ASSERT_EQ(json["findings"].size(), 1U) << json["findings"];
+  EXPECT_EQ(json["findings"][0]["code"], "gap");
+  EXPECT_EQ(json["findings"][0]["place"]["point"], (std::vector<double>{55.0, 20.0, 0.0}));
+  EXPECT_THAT(json["findings"][0]["message"].get<std::string>(), HasSubstr("gap of 400 m2, 40 m high"));
+}
+
+TEST_F(BlockCommands, NumbersInNamesThatMakeNoPiecesAreToldWithWhatToWrite) {
+  const auto section = [&](const std::string& of_first, const std::string& of_second) {
+    const auto row = [](const char* kind, const char* name, const std::string& more, const char* points) {
+      return std::string("[[input.") + kind + "]]\nname = \"" + name + "\"\n" + more + "points = " + points + "\n";
+    };
+    return put("numbered.toml",
+               "dobra = 1\nprogram = \"recon\"\n" + row("horizon", "A (1)", of_first, "[[0, 0], [39.9, 0]]") +
+                   row("horizon", "A (2)", of_second, "[[40, -4], [100, -4]]") +
+                   row("horizon", "B", "", "[[0, -20], [100, -20]]") + row("fault", "F", "", "[[40, 10], [40, -40]]"));
+  };
+  const std::string words = "give each of them piece_of = \"A\"";
+  const std::string whole = "piece_of = \"A\"\n";
+  const auto remarks = [&](const std::string& file) {
+    std::vector<Json> found;
+    for (const Json& finding : told({"block", file, "--along-strike", "5"})["findings"]) {
+      if (finding["message"].get<std::string>().find(words) != std::string::npos) found.push_back(finding);
+    }
+    return found;
+  };
+  const auto alone = remarks(section("", ""));
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_THAT(alone[0]["message"].get<std::string>(), HasSubstr("'A (1)', 'A (2)': numbers in names make no pieces"));
+  EXPECT_EQ(alone[0]["place"]["point"], (std::vector<double>{0.0, 0.0, 0.0}));
+  const auto one = remarks(section(whole, ""));
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0]["message"].get<std::string>().find("'A (2)': "), 0U);
+  EXPECT_TRUE(remarks(section(whole, whole)).empty());
+  // As pieces, the end beside the fault is told, and once.
+  const Json json = told({"block", section(whole, whole), "--along-strike", "5"});
+  ASSERT_EQ(json["findings"].size(), 1U) << json["findings"];
+  EXPECT_EQ(json["findings"][0]["code"], "open_end");
+}
+
+TEST_F(BlockCommands, TwistedBedsBetweenTwoSectionsHaveTheVolumeOfTheRuledSurface) {
+  // The top from 0, 0 to 30, -10: the mean of its corners is 5 m, over 10 m down to the base.
+  put("a.csv", "x,z,name,kind\n0,0,top,horizon\n100,0,top,horizon\n0,-10,base,horizon\n100,-10,base,horizon\n");
+  put("b.csv", "x,z,name,kind\n0,30,top,horizon\n100,-10,top,horizon\n0,-10,base,horizon\n100,-10.5,base,horizon\n");
+  const std::string several = put("twisted.toml",
+                                  "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"a.csv\"\ntrace = [0, 0, "
+                                  "100, 0]\n[[input.section]]\nfile = \"b.csv\"\ntrace = [0, 60, 100, 60]\n");
+  EXPECT_NEAR(told({"block", several})["volume"].get<double>(), 100.0 * 60.0 * (15.0 + 0.125), 1e-8);
+  EXPECT_NEAR(told({"solid", several})["volume"].get<double>(), 100.0 * 60.0 * (15.0 + 0.125), 1e-8);
+  // Half-way the cut goes through the middle of each cell, on the ruled surface: heights 15 and -5.
+  const Json half = told({"cut", several, "--through", "block", "--trace", "0,30,100,30", "--out", path("half.toml")});
+  EXPECT_NEAR(half["area"].get<double>(), 100.0 * (5.0 + 10.125), 1e-8);
+}
+
+TEST_F(BlockCommands, BlanksInListsOfNumbersAreTaken) {
+  const Json plain = told({"cut", scenario(), "--trace", "0,0,50,50"});
+  EXPECT_EQ(told({"cut", scenario(), "--trace", "0, 0 , 50,\t50 "})["area"], plain["area"]);
+  const std::string shifted = "1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1";
+  EXPECT_EQ(told({"solid", scenario(), "--place", shifted})["volume"], 100000.0);
+  EXPECT_THAT(call({"solid", scenario(), "--place", "1, 0, x"}).err, HasSubstr("'x' is not a finite number"));
+  EXPECT_THAT(call({"solid", scenario(), "--place", "1, 0, 0"}).err, HasSubstr("the 16 numbers of a matrix"));
+  EXPECT_THAT(call({"cut", scenario(), "--trace", "0,0,50,50,80,60"}).err, HasSubstr("give four numbers"));
+}
+
+TEST_F(BlockCommands, ACutAlongStrikeThroughAFaultOpensAgainOrIsNotWritten) {
+  const std::string block = put(
+      "fault.toml",
+      "dobra = 1\nprogram = \"recon\"\n[input]\nalong_strike = 64\n[[input.horizon]]\nname = \"A (1)\"\npiece_of = "
+      "\"A\"\npoints = [[0, 0], [40, 0]]\n[[input.horizon]]\nname = \"A (2)\"\npiece_of = \"A\"\npoints = [[50, -4], "
+      "[100, -4]]\n[[input.horizon]]\nname = \"B (1)\"\npiece_of = \"B\"\npoints = [[0, -20], [60, "
+      "-20]]\n[[input.horizon]]\nname = \"B (2)\"\npiece_of = \"B\"\npoints = [[70, -24], [100, "
+      "-24]]\n[[input.fault]]\nname = \"F\"\npoints = [[30, 8], [40, 0], [50, -4], [60, -20], [70, -24], [75, -30]]\n");
+  const Json cut = told({"cut", block, "--trace", "45,0,45,64", "--out", path("along.toml")});
+  EXPECT_NEAR(cut["area"].get<double>(), 18.0 * 64.0, 1e-9);
+  const Json again = told({"block", path("along.toml"), "--along-strike", "5"});
+  EXPECT_NEAR(again["volume"].get<double>(), 18.0 * 64.0 * 5.0, 1e-8);
+  EXPECT_TRUE(again["findings"].empty()) << again["findings"];
+  // Between the two beds' ends at the fault and its other wall there is the fault alone over nothing.
+  for (const char* const x : {"40", "50", "60", "65", "70"}) {
+    const std::string name = path(std::string("at") + x + ".toml");
+    const std::string trace = std::string(x) + ",0," + x + ",64";
+    const Outcome made = call({"cut", block, "--trace", trace, "--out", name});
+    if (std::filesystem::exists(name)) {
+      EXPECT_EQ(made.code, 0) << x << made.err;
+      EXPECT_EQ(call({"block", name, "--along-strike", "5"}).code, 0) << x;
+    } else {
+      EXPECT_EQ(made.code, 4) << x;
+      EXPECT_THAT(made.err, HasSubstr("no file is written")) << x;
+    }
+  }
+}
+
+TEST_F(BlockCommands, HelpAndAdviceNameWhatTheCommandHas) {
+  EXPECT_THAT(call({"cut", "--help"}).out, HasSubstr("without further corners"));
+  EXPECT_THAT(call({"block", scenario("")}).err, HasSubstr("--along-strike"));
+  const Outcome solid = call({"solid", scenario("")});
+  EXPECT_EQ(solid.code, 3);
+  EXPECT_THAT(solid.err, testing::AllOf(HasSubstr("along_strike"), testing::Not(HasSubstr("--along-strike"))));
+}
+
 TEST_F(BlockCommands, SolidTakesTheBlockOfASectionAsOneOrAUnitOfIt) {
   const Json all = told({"solid", scenario(), "--out", path("part.stl")});
   EXPECT_EQ(all["volume"], 100000.0);

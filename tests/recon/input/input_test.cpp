@@ -161,7 +161,7 @@ TEST_F(Input, ALineThatCrossesItselfIsRefusedWithNameAndPlaceOrItsSmallLoopsAreC
   const auto result = read(input);
   ASSERT_TRUE(result);
   ASSERT_EQ(result->remarks.size(), 1u);
-  EXPECT_NE(result->remarks[0].find("1 small loops cut out, the first at (50.25, 0)"), std::string::npos)
+  EXPECT_NE(result->remarks[0].find("small loops cut out: 1, the first at (50.25, 0)"), std::string::npos)
       << result->remarks[0];
 }
 

@@ -388,10 +388,11 @@ TEST(SectionFaces, ManyMisfitsAreToldInOneLineWithTheGreatest) {
   Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
   section.units = {{UnitId(0), "A", {{{0, -2}, {10, -2}, {10, 0}, {0, 0}}, true}, {}},
                    {UnitId(1), "B", {{{0, -4}, {10, -4}, {10, -2}, {8, -2.5}, {6, -2}, {4, -3}, {0, -2}}, true}, {}}};
-  const std::vector<std::string> told = remarks_of(faces(section), section);
+  const std::vector<MisfitRemark> told = misfit_remarks(faces(section));
   ASSERT_EQ(told.size(), 1u);
   // Triangles of bases 4 and 6, heights 0.5 and 1.
-  EXPECT_EQ(told[0].find("2 gaps of 4 m2 in all; the greatest: gap of 3 m2 between the units A, B at"), 0u) << told[0];
+  EXPECT_EQ(told[0].text.find("2 gaps of 4 m2 in all; the greatest: gap of 3 m2 between the units A, B at"), 0u)
+      << told[0].text;
 }
 
 }  // namespace
