@@ -177,7 +177,7 @@ TEST_F(BlockCommands, NumbersInNamesThatMakeNoPiecesAreToldWithWhatToWrite) {
       return std::string("[[input.") + kind + "]]\nname = \"" + name + "\"\n" + more + "points = " + points + "\n";
     };
     return put("numbered.toml",
-               "dobra = 1\nprogram = \"recon\"\n" + row("horizon", "A (1)", of_first, "[[0, 0], [39.9, 0]]") +
+               "dobra = 1\nprogram = \"recon\"\n" + row("horizon", "A (1)", of_first, "[[0, 0], [39.5, 0]]") +
                    row("horizon", "A (2)", of_second, "[[40, -4], [100, -4]]") +
                    row("horizon", "B", "", "[[0, -20], [100, -20]]") + row("fault", "F", "", "[[40, 10], [40, -40]]"));
   };
@@ -185,7 +185,8 @@ TEST_F(BlockCommands, NumbersInNamesThatMakeNoPiecesAreToldWithWhatToWrite) {
   const std::string whole = "piece_of = \"A\"\n";
   const auto remarks = [&](const std::string& file) {
     std::vector<Json> found;
-    for (const Json& finding : told({"block", file, "--along-strike", "5"})["findings"]) {
+    const Json json = told({"block", file, "--along-strike", "5"});
+    for (const Json& finding : json["findings"]) {
       if (finding["message"].get<std::string>().find(words) != std::string::npos) found.push_back(finding);
     }
     return found;
@@ -206,8 +207,9 @@ TEST_F(BlockCommands, NumbersInNamesThatMakeNoPiecesAreToldWithWhatToWrite) {
 
 TEST_F(BlockCommands, TwistedBedsBetweenTwoSectionsHaveTheVolumeOfTheRuledSurface) {
   // The top from 0, 0 to 30, -10: the mean of its corners is 5 m, over 10 m down to the base.
-  put("a.csv", "x,z,name,kind\n0,0,top,horizon\n100,0,top,horizon\n0,-10,base,horizon\n100,-10,base,horizon\n");
-  put("b.csv", "x,z,name,kind\n0,30,top,horizon\n100,-10,top,horizon\n0,-10,base,horizon\n100,-10.5,base,horizon\n");
+  (void)put("a.csv", "x,z,name,kind\n0,0,top,horizon\n100,0,top,horizon\n0,-10,base,horizon\n100,-10,base,horizon\n");
+  (void)put("b.csv",
+            "x,z,name,kind\n0,30,top,horizon\n100,-10,top,horizon\n0,-10,base,horizon\n100,-10.5,base,horizon\n");
   const std::string several = put("twisted.toml",
                                   "dobra = 1\nprogram = \"recon\"\n[[input.section]]\nfile = \"a.csv\"\ntrace = [0, 0, "
                                   "100, 0]\n[[input.section]]\nfile = \"b.csv\"\ntrace = [0, 60, 100, 60]\n");
@@ -220,11 +222,14 @@ TEST_F(BlockCommands, TwistedBedsBetweenTwoSectionsHaveTheVolumeOfTheRuledSurfac
 
 TEST_F(BlockCommands, BlanksInListsOfNumbersAreTaken) {
   const Json plain = told({"cut", scenario(), "--trace", "0,0,50,50"});
-  EXPECT_EQ(told({"cut", scenario(), "--trace", "0, 0 , 50,\t50 "})["area"], plain["area"]);
-  const std::string shifted = "1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1";
-  EXPECT_EQ(told({"solid", scenario(), "--place", shifted})["volume"], 100000.0);
-  EXPECT_THAT(call({"solid", scenario(), "--place", "1, 0, x"}).err, HasSubstr("'x' is not a finite number"));
-  EXPECT_THAT(call({"solid", scenario(), "--place", "1, 0, 0"}).err, HasSubstr("the 16 numbers of a matrix"));
+  EXPECT_EQ(told({"cut", scenario(), "--trace", "0, 0 , 50,  50 "})["area"], plain["area"]);
+  told({"solid", scenario(), "--out", path("part.stl")});
+  const auto moved = [&](const char* matrix) {
+    return std::vector<std::string>{"solid", scenario(), "--unite", path("part.stl"), "--place", matrix};
+  };
+  EXPECT_EQ(told(moved("1, 0, 0, 1000, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1"))["volume"], 200000.0);
+  EXPECT_THAT(call(moved("1, 0, x")).err, HasSubstr("'x' is not a finite number"));
+  EXPECT_THAT(call(moved("1, 0, 0")).err, HasSubstr("the 16 numbers of a matrix"));
   EXPECT_THAT(call({"cut", scenario(), "--trace", "0,0,50,50,80,60"}).err, HasSubstr("give four numbers"));
 }
 
