@@ -8,8 +8,8 @@
 #include "quebra/solids/steps.h"
 #include "shared/base/text.h"
 #include "shared/io/formats/boundary_file.h"
+#include "shared/solid/check/settle.h"
 #include "shared/solid/measure.h"
-#include "shared/solid/settle.h"
 
 // 1. All bodies of the parts are cut in one go. 2. The cap becomes a sketch, the cracks are drawn into it, and a domain
 // is made of that as of any drawing.
@@ -133,21 +133,21 @@ void add_part_quantities(const model::Model& model, std::vector<scenario::Quanti
 
 void add_part_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
   if (!model->solids || model->solids->parts.empty()) return;
-  outputs.push_back({"solid.obj",
-                     [model](const std::filesystem::path& path) -> Result<void> {
-                       DOBRA_TRY(const solid::Solid solid, whole(model->solids->parts.back()));
-                       if (solid.empty())
-                         return Error{ErrorCode::NotClosed, "the last part is empty; there is no file to write"};
-                       DOBRA_TRY(const solid::SettledMesh faces, solid::settle(solid, {.unit = model->domain.unit}));
-                       if (faces.flaw) {
-                         Error error = *faces.flaw;
-                         error.message = fmt::format(
-                             "rounded as it would be in the file, the last part bounds no solid: {}", error.message);
-                         return error;
-                       }
-                       return io::formats::write_boundary(path.string(), faces.mesh);
-                     },
-                     {}});
+  outputs.push_back(
+      {"solid.obj",
+       [model](const std::filesystem::path& path) -> Result<void> {
+         DOBRA_TRY(const solid::Solid solid, whole(model->solids->parts.back()));
+         if (solid.empty()) return Error{ErrorCode::NotClosed, "the last part is empty; there is no file to write"};
+         DOBRA_TRY(const solid::check::SettledMesh faces, solid::check::settle(solid, {.unit = model->domain.unit}));
+         if (faces.flaw) {
+           Error error = *faces.flaw;
+           error.message =
+               fmt::format("rounded as it would be in the file, the last part bounds no solid: {}", error.message);
+           return error;
+         }
+         return io::formats::write_boundary(path.string(), faces.mesh);
+       },
+       {}});
 }
 
 }  // namespace quebra::solids

@@ -8,7 +8,7 @@
 #include "quebra/solids/cap_domain.h"
 #include "shared/base/text.h"
 #include "shared/io/formats/boundary_file.h"
-#include "shared/solid/overlaps.h"
+#include "shared/solid/check/overlaps.h"
 #include "shared/solid/shape/instance.h"
 #include "shared/solid/shape/loft.h"
 #include "shared/solid/shape/rounding.h"
@@ -184,8 +184,8 @@ Result<void> remark_overlaps(model::Model& model, std::span<const std::string> n
   for (const Body& body : group.bodies) solids.push_back(body.solid);
   DOBRA_TRY(const solid::Combined all, solid::combine(solids, Operation::Union));
   if (all.contact != solid::Contact::Volume) return {};
-  DOBRA_TRY(const auto overlaps, solid::overlaps(solids));
-  for (const solid::Overlap& overlap : overlaps) {
+  DOBRA_TRY(const auto overlaps, solid::check::overlaps(solids));
+  for (const solid::check::Overlap& overlap : overlaps) {
     model.remarks.push_back(
         fmt::format("{}: '{}' and '{}' overlap: {:.6g} m3 are in both, where a section shows '{}' alone; at ({:.6g}, "
                     "{:.6g}, {:.6g})",

@@ -19,11 +19,11 @@
 #include "shared/io/formats/boundary_file.h"
 #include "shared/mesh/polygon_repair.h"
 #include "shared/solid/boolean.h"
+#include "shared/solid/check/overlaps.h"
+#include "shared/solid/check/settle.h"
 #include "shared/solid/measure.h"
 #include "shared/solid/mesh_solid.h"
-#include "shared/solid/overlaps.h"
 #include "shared/solid/partition/octree.h"
-#include "shared/solid/settle.h"
 
 // 1. All files are read, placed and taken as solids; scenarios are run. 2. Operations of one kind that follow each
 // other are one: A - B - C is A without B and C. 3. The result is measured, cut where a plane is given, written, and
@@ -227,8 +227,8 @@ Result<Contact> combine_bodies(std::vector<Bodies::Body>& bodies, std::span<cons
 /// Bodies that have volume in common, each pair a finding: united, what is in both counts once.
 Result<void> tell_overlaps(const std::vector<Bodies::Body>& bodies, std::span<const Solid> solids,
                            const std::string& file, std::vector<Finding>& findings) {
-  DOBRA_TRY(const auto overlaps, solid::overlaps(solids));
-  for (const solid::Overlap& overlap : overlaps) {
+  DOBRA_TRY(const auto overlaps, solid::check::overlaps(solids));
+  for (const solid::check::Overlap& overlap : overlaps) {
     findings.push_back({"overlap",
                         fmt::format("'{}' and '{}' overlap: {:.6g} m3 are in both; volume and area are those of all "
                                     "bodies united, which count it once",
@@ -270,17 +270,19 @@ Result<void> apply(const std::vector<Step>& steps, std::span<const Solid> solids
 }
 
 /// Faces as the format of the file can hold them.
-Result<solid::SettledMesh> faces_for(const std::string& file, const Solid& solid) {
+Result<solid::check::SettledMesh> faces_for(const std::string& file, const Solid& solid) {
   const std::size_t most = io::formats::most_corners(file);
-  if (most <= 3) return solid::settle(solid, {.as = solid::FacesAs::Triangles});
-  DOBRA_TRY(solid::SettledMesh faces, solid::settle(solid));
+  if (most <= 3) return solid::check::settle(solid, {.as = solid::FacesAs::Triangles});
+  DOBRA_TRY(solid::check::SettledMesh faces, solid::check::settle(solid));
   const bool fits = std::all_of(faces.mesh.faces.begin(), faces.mesh.faces.end(),
                                 [&](const auto& face) { return face.size() <= most; });
-  return fits ? Result<solid::SettledMesh>(std::move(faces)) : solid::settle(solid, {.as = solid::FacesAs::Triangles});
+  return fits ? Result<solid::check::SettledMesh>(std::move(faces))
+              : solid::check::settle(solid, {.as = solid::FacesAs::Triangles});
 }
 
 /// What rounding did to the boundary that is written; nothing to tell where it did nothing.
-std::optional<Finding> rounding_finding(const solid::SettledMesh& faces, const Solid& exact, const std::string& file) {
+std::optional<Finding> rounding_finding(const solid::check::SettledMesh& faces, const Solid& exact,
+                                        const std::string& file) {
   if (faces.displacement == 0.0) return std::nullopt;
   Finding finding{
       "written_rounded",
@@ -309,7 +311,7 @@ Result<void> write_out(Session& session, const Path& out, Outcome& outcome) {
     outcome.findings.push_back({"empty", "the result is empty; no file is written", {}});
     return {};
   }
-  DOBRA_TRY(const solid::SettledMesh faces, faces_for(out.string(), outcome.solid));
+  DOBRA_TRY(const solid::check::SettledMesh faces, faces_for(out.string(), outcome.solid));
   if (auto finding = rounding_finding(faces, outcome.solid, out.string()))
     outcome.findings.push_back(*std::move(finding));
   if (faces.flaw) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "shared/solid/settle.h"
+#include "shared/solid/check/settle.h"
 
 namespace dobra::solid::csg {
 
@@ -87,7 +87,7 @@ Result<Evaluated> place_solid(Solid solid, const Matrix& matrix) {
     out.solid = std::move(solid);
     return out;
   }
-  DOBRA_TRY(SettledMesh mesh, settle(solid));
+  DOBRA_TRY(check::SettledMesh mesh, check::settle(solid));
   if (mesh.flaw) return *mesh.flaw;
   shape::Shape made{{std::move(mesh.mesh.points), {}}, std::move(mesh.names)};
   for (auto& face : mesh.mesh.faces) made.mesh.faces.push_back({std::move(face)});

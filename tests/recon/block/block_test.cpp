@@ -9,8 +9,8 @@
 #include <random>
 #include <set>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/measure.h"
-#include "shared/solid/validate.h"
 #include "shared/topo/adjacency.h"
 #include "tests/recon/block/sections.h"
 
@@ -45,7 +45,7 @@ void expect_conforming(const Block& block) {
   std::map<std::vector<std::array<double, 3>>, std::vector<std::size_t>> faces;
   double sum = 0.0;
   for (std::size_t u = 0; u < block.units.size(); ++u) {
-    EXPECT_TRUE(dobra::solid::violations(block.units[u].solid).empty()) << block.units[u].name;
+    EXPECT_TRUE(dobra::solid::check::violations(block.units[u].solid).empty()) << block.units[u].name;
     sum += block.units[u].volume;
     const auto& mesh = block.units[u].shape.mesh;
     for (const auto& face : mesh.faces) {

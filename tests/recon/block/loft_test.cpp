@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "recon/block/block_mesh.h"
+#include "shared/solid/check/validate.h"
 #include "shared/solid/measure.h"
 #include "shared/solid/mesh_solid.h"
-#include "shared/solid/validate.h"
 #include "tests/recon/block/sections.h"
 
 namespace recon::block::loft_test {
@@ -88,7 +88,7 @@ TEST(LoftedBlock, EqualSectionsMakeWhatASectionMakesAlongStrike) {
     EXPECT_EQ(block.units[u].name, extruded.units[u].name);
     EXPECT_NEAR(block.units[u].volume, extruded.units[u].volume, 1e-9);
     EXPECT_NEAR(block.units[u].area, extruded.units[u].area, 1e-9);
-    EXPECT_TRUE(dobra::solid::violations(block.units[u].solid).empty());
+    EXPECT_TRUE(dobra::solid::check::violations(block.units[u].solid).empty());
   }
   EXPECT_NEAR(block.volume, extruded.volume, 1e-9);
   EXPECT_EQ(block.length, 64.0);

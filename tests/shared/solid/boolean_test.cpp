@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "shared/solid/validate.h"
+#include "shared/solid/check/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -106,7 +106,7 @@ TEST(Boolean, RowsOfBoxesAreUnitedAlikeAlongEveryAxis) {
     }
     const Solid all = unite(row);
     EXPECT_EQ(volume(all), expected) << axis;
-    EXPECT_THAT(violations(all), testing::IsEmpty());
+    EXPECT_THAT(check::violations(all), testing::IsEmpty());
     if (!counts) counts = all.counts();
     EXPECT_EQ(all.counts(), *counts) << axis;
   }

@@ -7,8 +7,8 @@
 #include <functional>
 #include <set>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/section.h"
-#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -95,7 +95,7 @@ void run_chain(std::mt19937_64& random, const Maker& make, const Centre& centre,
     }
     solid = shapes::combined({solid, operand}, operation).solid;
     table = next;
-    ASSERT_THAT(violations(solid), testing::IsEmpty());
+    ASSERT_THAT(check::violations(solid), testing::IsEmpty());
     ASSERT_NEAR(volume(solid), static_cast<double>(table.size()) * cell_volume,
                 1e-15 * cells_across * cells_across * cells_across);
     ASSERT_TRUE(shapes::euler_holds(solid.counts()));

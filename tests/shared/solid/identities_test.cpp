@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "shared/solid/validate.h"
+#include "shared/solid/check/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -109,7 +109,7 @@ TEST(SolidIdentity, SOL_l_ATreeInOneGoIsTheTreeStepByStep) {
   const auto rule = [](const std::vector<bool>& in) { return (in[0] && !(in[1] || in[2])) || (in[3] && !in[4]); };
   const Solid at_once = combine(std::vector{a, b, c, d, e}, rule).value().solid;
   const Solid stepwise = unite({subtract({a, unite({b, c})}), subtract({d, e})});
-  EXPECT_THAT(violations(stepwise), testing::IsEmpty());
+  EXPECT_THAT(check::violations(stepwise), testing::IsEmpty());
   EXPECT_EQ(at_once.counts(), stepwise.counts());
   EXPECT_NEAR(volume(at_once), volume(stepwise), 1e-14);
   const PointLocator one(at_once);
@@ -144,7 +144,7 @@ TEST(SolidIdentity, MengerSpongesHaveTheirVolumeAndSurface) {
     EXPECT_NEAR(m.area / (27.0 * 27.0), surfaces[i], 5e-7);
     EXPECT_EQ(m.volume, 27.0 * 27.0 * 27.0 * std::pow(20.0, depth) / std::pow(27.0, depth));
     EXPECT_EQ(sponge.counts().shells, 1U);
-    EXPECT_THAT(violations(sponge), testing::IsEmpty());
+    EXPECT_THAT(check::violations(sponge), testing::IsEmpty());
     EXPECT_EQ(sponge.counts().handles, depth == 1 ? 5 : 81);
   }
   const Solid third = subtract(menger_operands(3));
@@ -169,7 +169,7 @@ TEST(SolidIdentity, TwoBarsOnTheDividingWallLeaveOneShellOfGenusTwo) {
   EXPECT_EQ(volume(bars), 59.0);
   EXPECT_EQ(bars.counts().shells, 1U);
   EXPECT_EQ(bars.counts().handles, 2);
-  EXPECT_THAT(violations(bars), testing::IsEmpty());
+  EXPECT_THAT(check::violations(bars), testing::IsEmpty());
   // Bars through the middle of the wall make windows, each a handle more.
   const Solid windows = subtract({holed, box_solid({2, 2, 1}, {3, 3, 2}), box_solid({2, 2, 3}, {3, 3, 4})});
   EXPECT_EQ(windows.counts().handles, 4);
@@ -213,7 +213,7 @@ TEST(SolidIdentity, ManyBoxesTakenOutAndPutBackLeaveTheBox) {
     operands.push_back(box_solid(low, low + geom::Vector3{0.5 + at(1.5), 0.5 + at(1.5), 0.5 + at(1.5)}));
   }
   const Solid pierced = subtract(operands);
-  EXPECT_THAT(violations(pierced), testing::IsEmpty());
+  EXPECT_THAT(check::violations(pierced), testing::IsEmpty());
   EXPECT_GT(pierced.counts().shells, 1U);
   operands[0] = pierced;
   const Solid back = unite(operands);
@@ -267,7 +267,7 @@ TEST(SolidIdentity, ACubeUnitedWithItsTurnsKeepsItsVolumeInOrder) {
     turns.push_back(solid(rotated(box({-1, -1, -1}, {1, 1, 1}), {0, 0, 1}, 2.0 * std::numbers::pi * i / 9.0)));
   }
   const Solid star = unite(turns);
-  EXPECT_THAT(violations(star), testing::IsEmpty());
+  EXPECT_THAT(check::violations(star), testing::IsEmpty());
   EXPECT_EQ(star.counts().handles, 0);
   EXPECT_EQ(star.counts().shells, 1U);
   // Its section in polar coordinates: the farthest of the squares in every direction.

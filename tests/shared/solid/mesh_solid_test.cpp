@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/section.h"
-#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -199,7 +199,7 @@ TEST(FromMesh, CutsWarpedFacesAlikeWhicheverCornerTheyBeginWith) {
   for (std::size_t turn = 0; turn < 4; ++turn) {
     for (auto& face : warped.faces) std::rotate(face.begin(), face.begin() + 1, face.end());
     const Solid s = solid(warped);
-    EXPECT_THAT(violations(s), testing::IsEmpty());
+    EXPECT_THAT(check::violations(s), testing::IsEmpty());
     EXPECT_EQ(s.counts(), (Counts{8, 13, 7, 0, 1, 0}));
     EXPECT_DOUBLE_EQ(volume(s), 1.0 + 0.25 / 3.0);
   }

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "shared/solid/validate.h"
+#include "shared/solid/check/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -213,7 +213,7 @@ void check_pair(const PolygonMesh& first, const PolygonMesh& second, int points,
   const Solid rest = subtract({*a, *b});
   const Solid other = subtract({*b, *a});
   for (const Solid& s : {*a, *b, united, both, rest, other}) {
-    EXPECT_THAT(violations(s), testing::IsEmpty());
+    EXPECT_THAT(check::violations(s), testing::IsEmpty());
     EXPECT_TRUE(euler_holds(s.counts()));
   }
   const double sum = volume(*a) + volume(*b);

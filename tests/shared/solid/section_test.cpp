@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "shared/solid/validate.h"
+#include "shared/solid/check/validate.h"
 #include "shared/topo/adjacency.h"
 #include "tests/shared/solid/shapes.h"
 
@@ -51,7 +51,7 @@ TEST(SolidSection, SOL_g_CutsACubeThroughSixEdgeMiddles) {
   for (const Solid& part : {parts.below, parts.above}) {
     EXPECT_EQ(volume(part), 4.0);
     EXPECT_EQ(part.counts(), (Counts{10, 15, 7, 0, 1, 0}));
-    EXPECT_THAT(violations(part), testing::IsEmpty());
+    EXPECT_THAT(check::violations(part), testing::IsEmpty());
   }
   const Section s = section({cube}, {1, 1, 1, -3});
   EXPECT_NEAR(cut_area(s), 3.0 * std::sqrt(3.0), 1e-14);
@@ -131,8 +131,8 @@ TEST(SolidSection, HalvesAlongRandomPlanesAddUp) {
     const CutPlane plane{real(random), real(random), real(random), 0.5 * real(random)};
     const Halves parts = halve(s, plane).value();
     EXPECT_NEAR(volume(parts.below) + volume(parts.above), volume(s), 1e-14);
-    EXPECT_THAT(violations(parts.below), testing::IsEmpty());
-    EXPECT_THAT(violations(parts.above), testing::IsEmpty());
+    EXPECT_THAT(check::violations(parts.below), testing::IsEmpty());
+    EXPECT_THAT(check::violations(parts.above), testing::IsEmpty());
     const Solid again = unite({parts.below, parts.above});
     EXPECT_EQ(again.counts(), s.counts());
     EXPECT_EQ(volume(again), volume(s));

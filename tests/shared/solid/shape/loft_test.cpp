@@ -9,8 +9,8 @@
 #include <random>
 #include <set>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/shape/instance.h"
-#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -42,7 +42,7 @@ std::vector<Solid> solids_of(const std::vector<LoftPart>& parts) {
   for (const LoftPart& part : parts) {
     auto solid = solid_of(part.shape, "");
     EXPECT_TRUE(solid) << part.name << ": " << (solid ? "" : solid.error().message);
-    EXPECT_THAT(violations(*solid), IsEmpty());
+    EXPECT_THAT(check::violations(*solid), IsEmpty());
     EXPECT_TRUE(euler_holds(solid->counts()));
     solids.push_back(*solid);
   }
@@ -465,7 +465,7 @@ TEST(Loft, AProfileTurnedByHalfATurnIsRefusedWithThePlace) {
 
 TEST(Loft, AFrustumHasItsVolumeAndFaces) {
   const Solid frustum = solid_of(loft(std::vector{square(2, 0), square(1, 3)}).value()).value();
-  EXPECT_THAT(violations(frustum), IsEmpty());
+  EXPECT_THAT(check::violations(frustum), IsEmpty());
   EXPECT_NEAR(volume(frustum), 3.0 / 3.0 * (16 + 8 + 4), 1e-13);
   EXPECT_EQ(frustum.counts(), (Counts{8, 12, 6, 0, 1, 0}));
   // A contour that runs the other way but begins at the same corner is the same.
@@ -485,7 +485,7 @@ TEST(Loft, ProfilesWithOtherNumbersOfCornersAndHolesAreJoined) {
   const PlacedProfile low{{ring(4, 2), {ring(4, 1)}}, identity};
   const PlacedProfile high{{ring(64, 2), {ring(32, 0.5)}}, moved_by({1, 0, 4})};
   const Solid tube = solid_of(loft(std::vector{low, high}).value()).value();
-  EXPECT_THAT(violations(tube), IsEmpty());
+  EXPECT_THAT(check::violations(tube), IsEmpty());
   EXPECT_EQ(tube.counts().handles, 1);
   std::set<std::string> names;
   for (std::size_t f = 0; f < tube.face_count(); ++f) names.insert(tube.name(FaceId(f)));

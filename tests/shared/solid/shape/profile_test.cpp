@@ -4,9 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/placement.h"
 #include "shared/solid/shape/instance.h"
-#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -26,7 +26,7 @@ Solid made(const base::Result<Shape>& shape) {
   EXPECT_TRUE(shape) << (shape ? "" : shape.error().message);
   const auto solid = solid_of(shape.value());
   EXPECT_TRUE(solid) << (solid ? "" : solid.error().message);
-  EXPECT_THAT(violations(*solid), IsEmpty());
+  EXPECT_THAT(check::violations(*solid), IsEmpty());
   EXPECT_TRUE(euler_holds(solid->counts()));
   return *solid;
 }

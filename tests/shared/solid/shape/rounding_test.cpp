@@ -6,8 +6,8 @@
 
 #include <set>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/section.h"
-#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
 namespace dobra::solid {
@@ -49,7 +49,7 @@ TEST(Rounding, VolumesFallToTheTrueOneAsTheSquareOfSegments) {
   std::vector<double> errors;
   for (const int segments : {2, 4}) {
     const Solid rounded = round_convex(block, {.radius = 0.25, .segments = segments}).value();
-    EXPECT_THAT(violations(rounded), testing::IsEmpty());
+    EXPECT_THAT(check::violations(rounded), testing::IsEmpty());
     EXPECT_EQ(rounded.counts().shells, 1U);
     EXPECT_EQ(rounded.counts().handles, 0);
     errors.push_back(volume(rounded) - true_volume(2, 3, 1, 0.25));
@@ -81,7 +81,7 @@ TEST(Rounding, IsWhatTheSamePlanesCutOneByOne) {
   for (const Solid& solid : solids) {
     for (const int segments : {2, 3, 4}) {
       const Solid rounded = round_convex(solid, {.radius = 0.15, .segments = segments, .name = "r"}).value();
-      EXPECT_THAT(violations(rounded), testing::IsEmpty());
+      EXPECT_THAT(check::violations(rounded), testing::IsEmpty());
       const Solid other = cut_one_by_one(solid, rounded, "r");
       EXPECT_EQ(volume(rounded), volume(other));
       EXPECT_EQ(rounded.counts(), other.counts());
@@ -100,7 +100,7 @@ TEST(Rounding, FacesOfOnePlaneKeepTheirNames) {
                  {0, 4, 6, 2}, {1, 3, 7, 5}, {8, 5, 7, 9}};
   const Solid solid = from_mesh(block, names).value();
   const Solid rounded = round_convex(solid, {.radius = 0.2, .segments = 4, .name = "r"}).value();
-  EXPECT_THAT(violations(rounded), testing::IsEmpty());
+  EXPECT_THAT(check::violations(rounded), testing::IsEmpty());
   std::set<std::string> found;
   for (std::uint32_t f = 0; f < rounded.face_count(); ++f) found.insert(rounded.name(FaceId(f)));
   EXPECT_EQ(found, (std::set<std::string>{"below", "left", "front", "back", "side", "other", "right", "r"}));
@@ -114,7 +114,7 @@ TEST(Rounding, FarFromTheOriginNothingIsLost) {
   const Solid near = round_convex(box_solid({0, 0, 0}, {2, 3, 1}), {.radius = 0.25, .segments = 6}).value();
   const Solid far =
       round_convex(box_solid({1e6, 2e6, -1e6}, {1e6 + 2, 2e6 + 3, -1e6 + 1}), {.radius = 0.25, .segments = 6}).value();
-  EXPECT_THAT(violations(far), testing::IsEmpty());
+  EXPECT_THAT(check::violations(far), testing::IsEmpty());
   EXPECT_NEAR(volume(far), volume(near), 1e-8);
 }
 
@@ -123,7 +123,7 @@ TEST(Rounding, ManySegmentsComeNearToTheBall) {
   const double off = volume(rounded) - true_volume(2, 3, 1, 0.25);
   EXPECT_GT(off, 0.0);
   EXPECT_LT(off, 5e-4);
-  EXPECT_THAT(violations(rounded), testing::IsEmpty());
+  EXPECT_THAT(check::violations(rounded), testing::IsEmpty());
 }
 
 TEST(Rounding, KeepsTheFacesWhereTheyAre) {

@@ -8,7 +8,7 @@
 
 #include "shared/solid/mesh_solid.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 
 struct SettleOptions {
   FacesAs as = FacesAs::Polygons;  ///< Where something is to be mended, all faces become triangles.
@@ -32,4 +32,4 @@ struct SettledMesh {
 /// @cost  that of from_mesh(), twice or more times where something is to be mended.
 base::Result<SettledMesh> settle(const Solid& solid, const SettleOptions& options = {});
 
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check

@@ -1,4 +1,4 @@
-#include "shared/solid/overlaps.h"
+#include "shared/solid/check/overlaps.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include "shared/solid/box_tree.h"
 #include "shared/solid/measure.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 namespace {
 
 geom::Point3 point_of(const Solid& solid, const Measures& measures) {
@@ -37,4 +37,4 @@ base::Result<std::vector<Overlap>> overlaps(std::span<const Solid> solids) {
   return found;
 }
 
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check

@@ -2,15 +2,15 @@
 // of doubles; then results of curved shapes at odd angles, read again as from_mesh() reads files. What is read must
 // have the volume of the result within what is told, and its shells and handles.
 
-#include "shared/solid/settle.h"
+#include "shared/solid/check/settle.h"
 
 #include <gmock/gmock.h>
 
+#include "shared/solid/check/validate.h"
 #include "shared/solid/section.h"
-#include "shared/solid/validate.h"
 #include "tests/shared/solid/shapes.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 namespace {
 
 using namespace shapes;
@@ -205,4 +205,4 @@ TEST(Settle, InAnotherUnitTheMeshIsMendedAsItIsWritten) {
 }
 
 }  // namespace
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check

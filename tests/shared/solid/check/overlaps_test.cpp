@@ -1,13 +1,13 @@
 // Solids that should stand side by side: what they have in common, first where it is hard to see.
 
-#include "shared/solid/overlaps.h"
+#include "shared/solid/check/overlaps.h"
 
 #include <gmock/gmock.h>
 
 #include "shared/solid/cap.h"
 #include "tests/shared/solid/shapes.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 namespace {
 
 using namespace shapes;
@@ -61,4 +61,4 @@ TEST(SectionOverlaps, ArePairsOfSolidsThatCoverTheSameOfThePlane) {
 }
 
 }  // namespace
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check

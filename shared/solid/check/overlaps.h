@@ -9,7 +9,7 @@
 #include "shared/geom/point3.h"
 #include "shared/solid/solid.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 
 struct Overlap {
   std::size_t first = 0, second = 0;  ///< Their places in the list.
@@ -24,4 +24,4 @@ struct Overlap {
 ///       in common, there is no need to ask
 base::Result<std::vector<Overlap>> overlaps(std::span<const Solid> solids);
 
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check

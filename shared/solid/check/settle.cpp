@@ -1,4 +1,4 @@
-#include "shared/solid/settle.h"
+#include "shared/solid/check/settle.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "shared/base/check.h"
 #include "shared/solid/warp.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 namespace {
 
 using geom::Point3;
@@ -287,4 +287,4 @@ base::Result<SettledMesh> settle(const Solid& solid, const SettleOptions& option
   return out;
 }
 
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check

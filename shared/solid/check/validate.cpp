@@ -1,4 +1,4 @@
-#include "shared/solid/validate.h"
+#include "shared/solid/check/validate.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "shared/solid/gathering.h"
 #include "shared/solid/windings.h"
 
-namespace dobra::solid {
+namespace dobra::solid::check {
 namespace {
 
 void check_links(const Solid& solid, std::vector<std::string>& found) {
@@ -85,4 +85,4 @@ std::vector<std::string> violations(const Solid& solid) {
   return found;
 }
 
-}  // namespace dobra::solid
+}  // namespace dobra::solid::check
