@@ -15,6 +15,7 @@
 #include <numeric>
 #include <set>
 
+#include "shared/surf/loft/beyond.h"
 #include "shared/surf/loft/cut.h"
 #include "shared/surf/loft/ends.h"
 #include "shared/surf/loft/loft.h"
@@ -314,10 +315,12 @@ class Through {
     std::vector<std::vector<Strand>> strands;
     for (std::size_t k = 0; k < row.order.size(); ++k)
       strands.push_back(strands_of(row.order[k], row.against[k], name, kind));
-    tell_uneven(item, strands);
     pass_over(item, kind, strands);
     for (std::size_t k = 1; k < strands.size(); ++k) keep_unjoined(strands, k - 1, k);
-    return runs(item, strands);
+    uneven_told_ = false;
+    DOBRA_TRY(std::vector<Patch> patches, runs(item, strands));
+    if (!uneven_told_) tell_uneven(item, strands);
+    return patches;
   }
 
   std::vector<Strand> strands_of(std::size_t number, bool against, const std::string& name, LineKind kind) {
@@ -495,6 +498,21 @@ class Through {
     return patches;
   }
 
+  /// @param way  along the sections, out of the end that is looked at
+  void tell_beyond(const std::string& item, const std::vector<const Strand*>& run,
+                   const std::vector<std::vector<Point3>>& lines, Vector way, bool high) {
+    const Beyond beyond = beyond_ends(lines, way, high);
+    if (beyond.off <= uneven_height * made_.size) return;
+    uneven_told_ = true;
+    tell("uneven",
+         fmt::format("{} reaches {:.6g} m farther along the map in section '{}' than in '{}'; beyond the shorter one "
+                     "the surface runs to its end. Over {:.4g} m2 of the map its heights are a guess: the shape of the "
+                     "longer line, gone on with along the sections, would be up to about {:.3g} m from them here",
+                     item, beyond.ahead, made_.sections[run[beyond.longer]->section].name,
+                     made_.sections[run[beyond.shorter]->section].name, beyond.area, beyond.off),
+         place_at(beyond.at, item));
+  }
+
   /// Horizons are joined by place. Nothing, which is by their length, for faults and where a horizon turns back along
   /// the common direction of the traces; then ends that are not beside each other are told.
   LineParts horizon_parts(const std::string& item, const PieceName& name, const std::vector<const Strand*>& run,
@@ -507,7 +525,11 @@ class Through {
     }
     if (!(geom::length(way) > 0.0)) return {};
     way = geom::normalised(way);
-    if (auto parts = parts_by_place(lines, way, {!name.low.empty(), !name.high.empty()})) return std::move(*parts);
+    if (auto parts = parts_by_place(lines, way, {!name.low.empty(), !name.high.empty()})) {
+      if (name.low.empty()) tell_beyond(item, run, lines, -1.0 * way, false);
+      if (name.high.empty()) tell_beyond(item, run, lines, way, true);
+      return std::move(*parts);
+    }
     for (const bool high : {false, true}) {
       if (!(high ? name.high : name.low).empty()) continue;
       std::size_t least = 0, most = 0;
@@ -594,15 +616,17 @@ class Through {
     return {};
   }
 
-  static constexpr double twin = 1e-9;          // of the size: vertices that are one but for rounding
-  static constexpr double uneven_end = 0.001;   // of the size: ends that are beside each other
-  static constexpr double greatest_way = 0.05;  // of the size: from the border of a horizon to its fault
+  static constexpr double twin = 1e-9;           // of the size: vertices that are one but for rounding
+  static constexpr double uneven_end = 0.001;    // of the size: ends that are beside each other
+  static constexpr double uneven_height = 1e-4;  // of the size: heights beyond a shorter line that are told
+  static constexpr double greatest_way = 0.05;   // of the size: from the border of a horizon to its fault
 
   Surfaces made_;
   const ThroughOptions& options_;
   std::vector<std::string> names_;                      // in the order in which sections name them
   std::vector<std::vector<double>> lines_v_;            // of the patches of a row
   std::vector<Unjoined> unjoined_;                      // of a row
+  bool uneven_told_ = false;                            // of a row
   std::set<std::pair<PieceName, std::size_t>> passed_;  // pieces that a row lacks at a place and goes on without
 };
 

@@ -1,6 +1,8 @@
 // The untidy first: mis-ties, missing lines, pieces, lines the other way, sections that cannot be joined.
 #include "shared/surf/loft/through.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "shared/surf/loft/measures.h"
@@ -166,6 +168,45 @@ TEST(LoftUntidy, LinesOfUnequalExtentAreMatchedByPlace) {
       }
     }
   }
+}
+
+TEST(LoftUntidy, HeightsBeyondAShorterLineAreTold) {
+  // A fold that is the same all along its strike: the surface beyond an end is off by what a cut of it shows.
+  const auto fold = [](double x, double) { return 200.0 * std::sin(x / 800.0); };
+  for (const auto& [from, to] : {std::pair(0.0, 5500.0), {0.0, 4000.0}, {1200.0, 6000.0}, {2500.0, 3500.0}}) {
+    auto sections = row(2, 6000.0, 1000.0, fold, 240);
+    sections[1].lines[0].line = sampled(sections[1], fold, 240, from / 6000.0, to / 6000.0);
+    const auto made = through(sections);
+    for (const bool high : {false, true}) {
+      double worst = 0.0;
+      for (const double part : {0.25, 0.5, 0.75}) {
+        const double y = 1000.0 * part;
+        const auto cut = loft::cut_along(made.surfaces, trace({{0.0, y}, {6000.0, y}}), made.size);
+        ASSERT_EQ(cut.lines.size(), 1U);
+        for (const geom::Point p : cut.lines[0].line.points) {
+          if (high ? p.x > to : p.x < from) worst = std::max(worst, std::abs(p.y - fold(p.x, y)));
+        }
+      }
+      const auto told = std::find_if(made.findings.begin(), made.findings.end(), [&](const loft::Finding& one) {
+        return one.code == "uneven" && (high ? *one.place.x > to : *one.place.x < from);
+      });
+      ASSERT_EQ(told != made.findings.end(), worst > 0.65) << from << ' ' << to << ' ' << high << ' ' << worst;
+      if (worst <= 0.65) continue;
+      const std::size_t at = told->message.find("up to about ");
+      ASSERT_NE(at, std::string::npos) << told->message;
+      EXPECT_NEAR(std::stod(told->message.substr(at + 12)), worst, 0.05 * worst) << from << ' ' << to << ' ' << high;
+      EXPECT_THAT(told->message, testing::HasSubstr(high ? fmt::format("{:.6g} m farther", 6000.0 - to)
+                                                         : fmt::format("{:.6g} m farther", from)));
+    }
+  }
+  // Nothing is guessed on a plane, and little where ends are nearly beside each other.
+  const auto plane = [](double x, double y) { return 0.1 * x + 0.05 * y; };
+  auto flat = row(2, 6000.0, 1000.0, plane, 24);
+  flat[1].lines[0].line = sampled(flat[1], plane, 24, 0.0, 0.8);
+  EXPECT_EQ(finding(through(flat).findings, "uneven"), nullptr);
+  auto near = row(2, 6000.0, 1000.0, fold, 240);
+  near[1].lines[0].line = sampled(near[1], fold, 240, 0.0, 5990.0 / 6000.0);
+  EXPECT_EQ(finding(through(near).findings, "uneven"), nullptr);
 }
 
 TEST(LoftUntidy, AFreeEndIsMatchedByPlaceThoughTheOtherIsAtAFault) {
