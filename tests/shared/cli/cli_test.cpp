@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -153,7 +154,14 @@ TEST_F(Cli, WrongUsageIsOneLineWithAHintAndExitCode2) {
     const Outcome outcome = call(args);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err, "fake: " + message + '\n');
-    EXPECT_EQ(outcome.out, "");
+    if (std::find(args.begin(), args.end(), "--json") == args.end()) {
+      EXPECT_EQ(outcome.out, "");
+      return;
+    }
+    const auto findings = nlohmann::json::parse(outcome.out)["findings"];
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0]["code"], "bad_usage");
+    EXPECT_EQ(message.find(findings[0]["message"].get<std::string>()), 0U);
   };
   expect_usage({"run", good}, "--out is required; see 'fake run --help'");
   expect_usage({"run", "--out", out()}, "file is required; see 'fake run --help'");

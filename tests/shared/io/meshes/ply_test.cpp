@@ -157,7 +157,8 @@ TEST(PlyFile, WhatIsWrongNamesItsRecordOrLine) {
   EXPECT_THAT(said(one("ascii", xyz, "property list uchar float vertex_index\n")), HasSubstr("f.ply:8:21"));
   EXPECT_THAT(said(one("ascii", xyz, "property list uchar float c\n")), HasSubstr("not whole numbers"));
   EXPECT_THAT(said(one("ascii", "property real x\n", corners)), HasSubstr("f.ply:4:10"));
-  EXPECT_THAT(said(one("ascii", xyz, corners, "0 0 0\n3 0 0\n")), HasSubstr("f.ply:11:1"));
+  EXPECT_THAT(said(one("ascii", xyz, corners, "0 0 0\n3 0 0\n")),
+              HasSubstr("f.ply:11:6: face 1 of 1 has 3 corners, and the line ends after 2"));
   EXPECT_THAT(said(one("ascii", xyz, corners, "0 0 0\n3 0 0 7\n")), HasSubstr("there is no point 7"));
   EXPECT_FALSE(one("ascii", xyz, corners, "0 0 0\n").ok());
   EXPECT_FALSE(one("ascii", xyz, corners, "0 0\n3 0 0 0\n").ok());

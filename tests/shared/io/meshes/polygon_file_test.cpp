@@ -41,7 +41,8 @@ TEST(PolygonFile, FaultsHaveTheirLine) {
   EXPECT_THAT(said(parse_obj("v 0 0 0\n", "s.obj")), HasSubstr("no face"));
   EXPECT_THAT(said(parse_off("3 1 0\n", "s.off")), HasSubstr("OFF"));
   EXPECT_THAT(said(parse_off("OFF\n1 1 0\n0 0 0\n3 0 0 7\n", "s.off")), HasSubstr("s.off:4:7"));
-  EXPECT_THAT(said(parse_off("OFF\n1 1 0\n0 0 0\n9 0 0\n", "s.off")), HasSubstr("s.off:4:1"));
+  EXPECT_THAT(said(parse_off("OFF\n1 1 0\n0 0 0\n9 0 0\n", "s.off")),
+              HasSubstr("s.off:4:6: face 1 of 1 has 9 corners, and the line ends after 2"));
   EXPECT_THAT(said(parse_off("OFF\n2 1 0\n0 0 0\n", "s.off")), HasSubstr("point 2 of 2"));
 }
 
