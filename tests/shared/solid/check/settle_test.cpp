@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "shared/solid/check/validate.h"
 #include "shared/solid/section.h"
 #include "tests/shared/solid/shapes.h"
