@@ -158,9 +158,9 @@ TEST_F(SolidReread, WrongUsageHasItsFindingInJson) {
       {{a, "--octree", "x"}, "--octree"},
       {{a, "--repair", "-1"}, "--repair"},
       {{a, "--unite", a, "--place", same, "--place", same}, "--place"},
-      {{a, "--unnite", a}, "did you mean '--unite'"},
+      {{a, "--unnite"}, "did you mean '--unite'"},
+      {{a, "--unnite", a}, "unexpected argument"},
       {{}, "file is required"},
-      {{a, "--cut"}, "--cut"},
       {{a, "--cut", "1,2"}, "--cut has 2 numbers"}};
   for (const auto& [args, words] : cases) {
     const json told = this->told(args, 2);

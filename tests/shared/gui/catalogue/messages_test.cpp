@@ -81,7 +81,7 @@ bool is_left_out(const fs::path& file) {
   const std::string name = fs::relative(file, root).generic_string();
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
   return has("/gui/") || has("/cli/") || has("/render/") || has("main.cpp") || has("quebra/validation/") ||
-         has("shared/topo/validate.cpp") || has("shared/solid/validate.cpp");
+         has("shared/topo/validate.cpp") || has("shared/solid/check/validate.cpp");
 }
 
 /// Kinds that files have, and what GDAL and toml++ say; comments in files that the programs write.
