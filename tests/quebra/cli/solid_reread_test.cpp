@@ -161,7 +161,7 @@ TEST_F(SolidReread, WrongUsageHasItsFindingInJson) {
       {{a, "--unnite"}, "did you mean '--unite'"},
       {{a, "--unnite", a}, "unexpected argument"},
       {{}, "file is required"},
-      {{a, "--cut", "1,2"}, "--cut has 2 numbers"}};
+      {{a, "--cut", "1,2"}, "--cut: give the 4 numbers"}};
   for (const auto& [args, words] : cases) {
     const json told = this->told(args, 2);
     ASSERT_TRUE(told.is_object() && told["findings"].size() == 1) << words;
